@@ -8,8 +8,6 @@
 #include <vector>
 
 #include "base/sorting.h"
-#include "distance/exact/required_distances.h"
-#include "gvd/geodesic.h"
 #include "gvd/surface_point.h"
 
 namespace gvd::exact {
@@ -23,14 +21,9 @@ class PointsByFace {
     int index;  ///< in `RequiredDistances`
   };
 
-  void clear() {
-    inFaces_.clear();
-    distances_.assign(1, kInfinity);  // that of `RequiredDistances::kNone`
-  }
-  /// Adds the distance of the next index, at most `bound`.
-  void addDistance(double bound) { distances_.push_back(bound); }
-  /// Adds the place of a point; one on an edge has places in the faces on both sides.
-  void addPlace(const SurfacePoint& p, int index) { inFaces_.push_back({p.face, p.bary, index}); }
+  void clear() { inFaces_.clear(); }
+  /// Adds a point; one on an edge is added in the faces on both sides.
+  void add(const SurfacePoint& p, int index) { inFaces_.push_back({p.face, p.bary, index}); }
   /// To be called when all have been added.
   void sort() {
     sortStably(std::span(inFaces_), [](const InFace& a, const InFace& b) {
@@ -46,17 +39,9 @@ class PointsByFace {
                          [](const InFace& a, const InFace& b) { return a.face < b.face; });
     return std::span(inFaces_).subspan(first - inFaces_.begin(), last - first);
   }
-  double distance(int index) const { return distances_[index]; }
-  /// Lowers a distance; returns whether it was greater.
-  bool lower(int index, double distance) {
-    if (!(distance < distances_[index])) return false;
-    distances_[index] = distance;
-    return true;
-  }
 
  private:
-  std::vector<InFace> inFaces_;    ///< by face
-  std::vector<double> distances_;  ///< by index
+  std::vector<InFace> inFaces_;  ///< by face
 };
 
 }  // namespace gvd::exact

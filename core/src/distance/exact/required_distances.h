@@ -29,34 +29,31 @@ class RequiredDistances {
 
   void clear() {
     blocks_.assign(1, Block{});
-    nearest_.assign(1, 0);
+    distances_.assign(1, {});
   }
 
   /// How many quick rounds `canGain` takes.
   std::size_t cost() const { return 1 + blocks_.size() / kLanes; }
 
-  /// `bound` is the least distance of the label known so far, `nearest` the distance of the nearest
-  /// label. Returns the index of the place.
-  int add(const Eigen::Vector3d& position, double bound, double nearest) {
-    const int index = static_cast<int>(nearest_.size()), lane = index % kLanes;
+  /// `distance` is the least of the label known so far, `nearest` that of the nearest label.
+  /// Returns the index of the place, the next one after `kNone`.
+  int add(const Eigen::Vector3d& position, double distance, double nearest) {
+    const int index = static_cast<int>(distances_.size()), lane = index % kLanes;
     if (lane == 0) blocks_.emplace_back();
     Block& block = blocks_.back();
     block.x[lane] = static_cast<float>(scale_ * position.x());
     block.y[lane] = static_cast<float>(scale_ * position.y());
     block.z[lane] = static_cast<float>(scale_ * position.z());
-    nearest_.push_back(nearest);
-    block.bound[lane] = block.excess[lane] = std::numeric_limits<float>::infinity();
-    shorten(index, bound);
+    distances_.push_back({distance, nearest});
+    limit(index);
     return index;
   }
-  /// Paths that tie with the bound can still become the shortest.
-  void shorten(int index, double bound) {
-    Block& block = blocks_[index / kLanes];
-    const int lane = index % kLanes;
-    const double most = bound * (1 + kDistanceTolerance);
-    block.bound[lane] = std::min<float>(block.bound[lane], roundedUp(scale_ * most));
-    block.excess[lane] =
-        std::min<float>(block.excess[lane], roundedUp(scale_ * (most - nearest_[index])));
+  /// The least distance of the label known so far.
+  double distance(int index) const { return distances_[index].own; }
+  void lower(int index, double distance) {
+    if (!(distance < distances_[index].own)) return;
+    distances_[index].own = distance;
+    limit(index);
   }
   /// The largest excess over the nearest label's distance with which a path can still shorten any
   /// required distance.
@@ -94,6 +91,15 @@ class RequiredDistances {
   /// That of the distance between two places, in bounding diagonals.
   static constexpr float kPlaceRounding = 0x1p-20F;
 
+  /// Paths that tie with the distance can still become the shortest.
+  void limit(int index) {
+    const auto [own, nearest] = distances_[index];
+    const double most = own * (1 + kDistanceTolerance);
+    Block& block = blocks_[index / kLanes];
+    block.bound[index % kLanes] = roundedUp(scale_ * most);
+    block.excess[index % kLanes] = roundedUp(scale_ * (most - nearest));
+  }
+
   /// A value in single precision, not smaller.
   static float roundedUp(double value) {
     return static_cast<float>(value + kRounding * std::abs(value));
@@ -107,9 +113,15 @@ class RequiredDistances {
     FloatLanes excess = bound;
   };
 
+  /// Of the label, and of the nearest one.
+  struct Distances {
+    double own = 0, nearest = 0;
+  };
+
   const double scale_;
-  std::vector<Block> blocks_;    ///< by index; the first place is that of `kNone`
-  std::vector<double> nearest_;  ///< by index
+  // Both by index; the first place is that of `kNone`.
+  std::vector<Block> blocks_;
+  std::vector<Distances> distances_;
 };
 
 }  // namespace gvd::exact

@@ -154,7 +154,6 @@ void WindowSweep::addPoints(std::span<const RequiredPoint> points) {
     Eigen::Vector3d place = Eigen::Vector3d::Zero();
     for (int i = 0; i < 3; ++i) place += p.bary[i] * placeOf(mesh_.tail(3 * p.face + i));
     const int index = required_.add(place, required.distance, required.nearest);
-    points_.addDistance(required.distance);
     addPoint(p, index);
     if (const int side = incidenceOf(p.bary).side; side >= 0 && mesh_.face(p.face).twins[side] >= 0)
       addPoint(acrossEdge(mesh_, p, 3 * p.face + side), index);
@@ -164,29 +163,25 @@ void WindowSweep::addPoints(std::span<const RequiredPoint> points) {
 
 /// Adds a required point in a face, and offers it the paths that are straight from a corner.
 void WindowSweep::addPoint(const SurfacePoint& p, int index) {
-  points_.addPlace(p, index);
+  points_.add(p, index);
   const TriangleMesh::Face& face = mesh_.face(p.face);
   for (int i = 0; i < 3; ++i)
-    offerToPoint(index, distanceAt(face.vertices[i]) + wayToCorner(face, p.bary, i).norm());
-}
-
-void WindowSweep::offerToPoint(int index, double distance) {
-  if (points_.lower(index, distance)) required_.shorten(index, distance);
+    required_.lower(index, distanceAt(face.vertices[i]) + wayToCorner(face, p.bary, i).norm());
 }
 
 /// Offers the paths through a window to the required points of its face.
 void WindowSweep::offerToPoints(const Window& w, int h) {
   for (const auto& p : points_.in(h / 3)) {
     const Eigen::Vector2d q = layOut(mesh_.face(h / 3), h % 3, p.bary);
-    offerToPoint(p.index, w.distance(q.x(), q.y()));
+    required_.lower(p.index, w.distance(q.x(), q.y()));
   }
 }
 
 /// Offers the straight paths from a corner of a face to its required points.
 void WindowSweep::offerToPointsFrom(int v, int corner, int f) {
   for (const auto& p : points_.in(f))
-    offerToPoint(p.index,
-                 vertices_[v].distance + wayToCorner(mesh_.face(f), p.bary, corner).norm());
+    required_.lower(p.index,
+                    vertices_[v].distance + wayToCorner(mesh_.face(f), p.bary, corner).norm());
 }
 
 // --- Which windows go on -------------------------------------------------------------------------

@@ -216,7 +216,7 @@ void WindowSweep::offer(int v, double distance, const LastPiece& piece) {
     search_.offerVertex(v, distance);
     return;  // the rest of the path is known
   }
-  if (own.required != RequiredDistances::kNone) required_.shorten(own.required, distance);
+  if (own.required != RequiredDistances::kNone) required_.lower(own.required, distance);
   if (points_.isEmpty()) bounds_.lower(v, label_, distance);
   if (own.isSaddle || piece.arrival < 0) queueSource(v);
 }

@@ -67,7 +67,7 @@ class WindowSweep {
   void require(int label, LabelState& state, std::span<const RequiredPoint> points);
   /// The distance at one of the points; valid until the next label begins.
   double distanceAtPoint(int index) const {
-    return points_.distance(index + 1);  // 0 is `RequiredDistances::kNone`
+    return required_.distance(index + 1);  // 0 is `RequiredDistances::kNone`
   }
   /// Spreads windows from a point that is no vertex, to find the sites nearest to it. A path
   /// through a place on an edge is as long as the window's distance there plus the site's. The
@@ -162,7 +162,6 @@ class WindowSweep {
   void requireCorners(int face, double atMost);
   void addPoints(std::span<const RequiredPoint> points);
   void addPoint(const SurfacePoint& point, int index);
-  void offerToPoint(int index, double distance);
   void offerToPoints(const Window& w, int halfedge);
   void offerToPointsFrom(int vertex, int corner, int face);
   void offerSites(int halfedge, std::span<const Window> windows);
