@@ -289,6 +289,10 @@ suite('the centroidal tessellation', () => {
     const left = await viewer.difference(bare, await viewer.picture());
     assert.equal(left.count, 0, 'the brush is seen no more');
     await isEnded(() => viewer.page.getByText('Smaller regions in places').click(), 'folded');
+    await isEnded(() => press('#layers [value=distances]'), 'covered by distances');
+    await press('#density-paint');
+    const layers = await viewer.evaluate((viewer) => viewer.layers);
+    assert.deepEqual(layers, ['regions', 'bisectors', 'sites'], 'nothing covers the paint');
     await isEnded(() => press('#sampling-form [type=submit]'), 'placed anew');
     await isEnded(() => viewer.page.selectOption('#site-list', { index: 3 }), 'a site selected');
     await isEnded(() => press('#clear'), 'removed');

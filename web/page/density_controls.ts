@@ -6,6 +6,9 @@ import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, listen, onClick } from './dom.js';
 import { showFailure } from './feedback.js';
 
+/** Layers that cover the surface, and with it the density. */
+const covering: readonly string[] = ['distances', 'original'];
+
 /** Painting a density, or taking that of curvature: the tessellation sizes regions by it. */
 export function setUpDensityControls(viewer: GeodesicVoronoiElement): void {
   const paint = byId('density-paint', HTMLInputElement);
@@ -16,7 +19,10 @@ export function setUpDensityControls(viewer: GeodesicVoronoiElement): void {
   paint.addEventListener('change', () => {
     viewer.setAttribute('tool', paint.checked ? 'density' : 'sites');
     settings.hidden = !paint.checked;
-    if (paint.checked) caption.hidden = false;
+    if (paint.checked) {
+      caption.hidden = false;
+      viewer.layers = viewer.layers.filter((layer) => !covering.includes(layer));
+    }
     hint.textContent = paint.checked
       ? 'Drag on the model to paint, beside it to turn it.'
       : ofSites;
@@ -50,7 +56,10 @@ export function setUpDensityControls(viewer: GeodesicVoronoiElement): void {
   });
 }
 
-/** Ends painting at Escape, with another model, when its controls are folded away, and by other edits of sites. */
+/**
+ * Ends painting at Escape, with another model, when its controls are folded away or a layer covers
+ * the surface, and by other edits of sites.
+ */
 function endPainting(viewer: GeodesicVoronoiElement, paint: HTMLInputElement): void {
   const end = () => {
     if (paint.checked) paint.click();
@@ -66,6 +75,9 @@ function endPainting(viewer: GeodesicVoronoiElement, paint: HTMLInputElement): v
     if (key === 'Escape' && isFree && !document.querySelector(':popover-open, dialog[open]')) end();
   });
   listen(viewer, 'load', end);
+  byId('layers', HTMLFieldSetElement).addEventListener('change', ({ target }) => {
+    if (covering.includes((target as HTMLInputElement).value)) end();
+  });
   byId('sampling-form', HTMLFormElement).addEventListener('submit', end);
   onClick('clear', end);
   byId('site-list', HTMLSelectElement).addEventListener('change', end);
