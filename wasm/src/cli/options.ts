@@ -3,7 +3,15 @@
 // The command line's one table: what can be given, to which command, what it means, and what the
 // help says of it.
 
-import { maxCount, maxDetail, maxLimit, ranges, repairDefaults } from '../arguments.js';
+import {
+  maxCount,
+  maxDetail,
+  maxLimit,
+  meshDefaults,
+  ranges,
+  repairDefaults,
+  tessellationDefaults,
+} from '../arguments.js';
 import { partitionLayouts } from '../partition_formats.js';
 import { cvtMethods, metrics, orientations, samplings, worstRegions } from '../results.js';
 import { gltfLimitNames } from '../types.js';
@@ -85,13 +93,13 @@ export const options = {
   iterations: {
     value: 'N',
     parse: integer(0, maxCount),
-    default: '50',
+    default: String(tessellationDefaults.iterations),
     help: 'How many iterations at most; of remesh, in each of up to three rounds',
   },
   method: {
     value: 'METHOD',
     parse: oneOf(cvtMethods),
-    default: 'lbfgs',
+    default: tessellationDefaults.method,
     help: 'lbfgs: quasi-Newton, converges faster; lloyd',
   },
   density: {
@@ -109,13 +117,13 @@ export const options = {
   'energy-tolerance': {
     value: 'SHARE',
     parse: number(ranges.share),
-    default: '0',
+    default: String(tessellationDefaults.energyTolerance),
     help: 'End when an iteration lowers the energy by no more than this share',
   },
   'move-tolerance': {
     value: 'LENGTH',
     parse: number(ranges.length),
-    default: '0',
+    default: String(tessellationDefaults.moveTolerance),
     help: 'End when no site moves farther than this',
   },
   layout: {
@@ -158,25 +166,25 @@ export const options = {
   'max-edge': {
     value: 'SHARE',
     parse: number(ranges.share),
-    default: '0',
+    default: String(meshDefaults.maxEdge),
     help: "Halve edges longer than this share of the bounding box's diagonal until none is; 0: leave them. Triangles are then numbered anew; sites that a result has for the whole mesh stay where they are",
   },
   weld: {
     value: 'SHARE',
     parse: number(ranges.share),
-    default: '0',
+    default: String(meshDefaults.weld),
     help: "Weld vertices no farther apart than this share of the bounding box's diagonal",
   },
   orientation: {
     value: 'RULE',
     parse: oneOf(orientations),
-    default: orientations[0],
+    default: meshDefaults.orientation,
     help: 'unify: turn triangles over to agree with their neighbours; keep: cut the surface where they do not',
   },
   'min-component': {
     value: 'N',
     parse: integer(0, maxCount),
-    default: '0',
+    default: String(meshDefaults.minComponent),
     help: 'Drop components of fewer triangles',
   },
   limits: {
