@@ -10,6 +10,7 @@ import { cvtMethods, metrics, orientations, samplings, worstRegions } from '../.
 import { gltfLimitNames } from '../../dist/types.js';
 import { WasmModule } from '../../dist/wasm_module.js';
 import { octahedron } from './meshes.mjs';
+import { fails } from './expectations.mjs';
 
 const dist = new URL('../../dist/', import.meta.url);
 const modules = {};
@@ -17,8 +18,6 @@ before(async () => {
   for (const name of ['core', 'gltf'])
     modules[name] = await WebAssembly.compile(readFileSync(new URL(`${name}.wasm`, dist)));
 });
-
-const fails = (code, message) => ({ name: 'GeodesicVoronoiError', code, message });
 
 test('every function of the modules is called by its name, and there is none but these', () => {
   const functions = new Set(

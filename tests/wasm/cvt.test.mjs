@@ -6,6 +6,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { load } from 'geodesic-voronoi';
 import { grid, octahedron, withFlipped } from './meshes.mjs';
+import { fails } from './expectations.mjs';
 
 let gvd, mesh, sites;
 before(async () => {
@@ -14,8 +15,6 @@ before(async () => {
   sites = await mesh.sampleSites(12, { seed: 3 });
 });
 after(() => gvd.dispose());
-
-const fails = (code, message = /./) => ({ name: 'GeodesicVoronoiError', code, message });
 
 async function collect(states) {
   const all = [];

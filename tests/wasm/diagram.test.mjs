@@ -7,18 +7,14 @@ import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 import { load } from 'geodesic-voronoi';
 import { apart, grid, octahedron, withFlipped } from './meshes.mjs';
+import { fails, near } from './expectations.mjs';
 
 let gvd;
 before(async () => {
   gvd = await load();
 });
 
-const fails = (code, message = /./) => ({ name: 'GeodesicVoronoiError', code, message });
 const centre = [1 / 3, 1 / 3, 1 / 3];
-
-function near(actual, expected, tolerance = 1e-9) {
-  assert.ok(Math.abs(actual - expected) <= tolerance, `${actual} is not ${expected}`);
-}
 
 /** The position of a point of the input, from the mesh's own arrays. */
 function positionOf({ positions, indices }, face, bary) {

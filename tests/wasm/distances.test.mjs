@@ -15,15 +15,12 @@ import {
 } from 'geodesic-voronoi';
 import { assertValidGlb, readPly, threeMeshes } from './files.mjs';
 import { apart, bumpySphere, grid, octahedron, withFlipped } from './meshes.mjs';
+import { fails, near } from './expectations.mjs';
 
 let gvd;
 before(async () => {
   gvd = await load();
 });
-
-function near(actual, expected, tolerance = 1e-9, what = '') {
-  assert.ok(Math.abs(actual - expected) <= tolerance, `${what} ${actual} is not ${expected}`);
-}
 
 const single = ({ face, bary }, i) => ({ face: [face[i]], bary: bary.slice(3 * i, 3 * i + 3) });
 
@@ -217,7 +214,6 @@ test('without a path there are no points, and its length is Infinity', async () 
   assert.deepEqual([points.face.length, points.bary.length, points.position.length], [0, 0, 0]);
   assert.equal(pathsJson([{ points, length }]).paths[0].length, null);
   assert.doesNotMatch(pathsObj([{ points, length }]), /^[vl] /m);
-  const fails = (code, message) => ({ name: 'GeodesicVoronoiError', code, message });
   const two = { vertex: [0, 1] };
   await assert.rejects(
     mesh.path(two, { vertex: [0] }),

@@ -12,6 +12,7 @@ import {
 } from 'geodesic-voronoi';
 import { assertValidGlb } from './files.mjs';
 import { bumpySphere, grid } from './meshes.mjs';
+import { near } from './expectations.mjs';
 
 let gvd;
 let diagram;
@@ -37,10 +38,6 @@ function expectedLength() {
   const places = Array.from(points.face, (_, i) => [...points.position.subarray(3 * i, 3 * i + 3)]);
   const pairs = Array.from(segments.face, (_, i) => segments.points.subarray(2 * i, 2 * i + 2));
   return length(places, pairs);
-}
-
-function near(actual, expected, tolerance) {
-  assert.ok(Math.abs(actual - expected) < tolerance, `${actual} is not ${expected}`);
 }
 
 test('JSON holds the diagram in plain arrays', () => {

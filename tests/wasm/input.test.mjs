@@ -22,9 +22,9 @@ import {
   meshTextStl,
   packageModels,
 } from './model_files.mjs';
+import { fails } from './expectations.mjs';
 
 const bytesOf = (text) => new TextEncoder().encode(text);
-const fails = (code, message = /./) => ({ name: 'GeodesicVoronoiError', code, message });
 
 let gvd;
 before(async () => {

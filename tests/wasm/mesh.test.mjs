@@ -4,17 +4,12 @@ import { before, test } from 'node:test';
 import { gltfResourceUris, load } from 'geodesic-voronoi';
 import { apart, glb, gltf, grid, octahedron, withFlipped } from './meshes.mjs';
 import { meshPly } from './model_files.mjs';
+import { fails, near } from './expectations.mjs';
 
 let gvd;
 before(async () => {
   gvd = await load();
 });
-
-const fails = (code, message) => ({ name: 'GeodesicVoronoiError', code, message });
-
-function near(actual, expected, tolerance = 1e-9) {
-  assert.ok(Math.abs(actual - expected) <= tolerance, `${actual} is not ${expected}`);
-}
 
 test('a mesh of arrays: counts, topology, measures', async () => {
   const { info } = await gvd.mesh(octahedron());

@@ -8,6 +8,7 @@ import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 import { Delaunay } from 'd3-delaunay';
 import { load } from 'geodesic-voronoi';
+import { near } from './expectations.mjs';
 
 /** Of the domain's diagonal, and of its area. */
 const tolerance = 1e-9;
@@ -191,10 +192,6 @@ const keyOf = (labels) => [...labels].sort((a, b) => a - b).join();
 const depth = ([x, y], [width, height]) => Math.min(x, y, width - x, height - y);
 
 // --- Comparisons ---------------------------------------------------------------------------------
-
-function near(actual, expected, allowed, what = '') {
-  assert.ok(Math.abs(actual - expected) <= allowed, `${what} ${actual} is not ${expected}`);
-}
 
 const distance = ([x, y], [otherX, otherY]) => Math.hypot(x - otherX, y - otherY);
 

@@ -6,6 +6,7 @@ import assert from 'node:assert/strict';
 import { before, test } from 'node:test';
 import { diagramJson, load, pointsJson } from 'geodesic-voronoi';
 import { grid, octahedron } from './meshes.mjs';
+import { fails } from './expectations.mjs';
 
 let gvd;
 let mesh;
@@ -14,7 +15,6 @@ before(async () => {
   mesh = await gvd.mesh(octahedron());
 });
 
-const fails = (code, message) => ({ name: 'GeodesicVoronoiError', code, message });
 const plain = ({ face, bary }) => ({ face: [...face], bary: [...bary] });
 
 test('points in a file are read in every form', async () => {

@@ -13,6 +13,7 @@ import { startWorkerEngine } from '../../dist/worker_engine.js';
 import { serve } from '../../dist/worker_server.js';
 import { glb, grid, octahedron } from './meshes.mjs';
 import { meshObj } from './model_files.mjs';
+import { fails } from './expectations.mjs';
 
 const bytesOf = (name) => readFileSync(new URL(`../../dist/${name}.wasm`, import.meta.url));
 const sources = () => ({ wasm: bytesOf('core'), gltfWasm: bytesOf('gltf') });
@@ -43,8 +44,6 @@ async function loadThroughChannel(t) {
   t.after(() => library.dispose());
   return { library, worker, sent, engine: () => engine };
 }
-
-const fails = (code, message = /./) => ({ name: 'GeodesicVoronoiError', code, message });
 
 test('a worker answers as the calling thread does', async (t) => {
   const { library: there } = await loadThroughChannel(t);
