@@ -9,7 +9,8 @@ namespace gvd {
 
 /// A point of the surface: a face and barycentric coordinates (non-negative, sum 1) in the order
 /// of the face's corners. A point on an edge or a vertex has one representation for every face
-/// around it; all of them mean the same point, and results do not depend on which one is given.
+/// around it; all of them mean the same point, and results depend on which one is given by rounding
+/// at most.
 ///
 /// Whether `face` counts the faces of a `TriangleMesh` or the input's triangles is said by the
 /// function that takes or returns the point: `TriangleMesh::toInput` and `fromInput` convert.
