@@ -7,7 +7,7 @@
 export type Metric = (typeof metrics)[number];
 export const metrics = ['exact', 'dgpc'] as const;
 
-/** How a tessellation moves sites: by Lloyd's method, or by quasi-Newton steps, which are fewer. */
+/** How a tessellation moves sites: by Lloyd's method, or by quasi-Newton steps, of which it needs fewer. */
 export type CvtMethod = (typeof cvtMethods)[number];
 export const cvtMethods = ['lloyd', 'lbfgs'] as const;
 

@@ -155,7 +155,7 @@ export const options = {
     value: 'N',
     parse: integer(0, maxDetail),
     default: '0',
-    help: 'Split triangles of several regions into parts 2^N times shorter than the mean edge',
+    help: `Split triangles of several regions into parts about 2^N times shorter than the mean edge; at most ${maxDetail}`,
   },
   units: {
     value: 'UNIT|FACTOR',

@@ -103,7 +103,7 @@ async function closestOf(
   const isFar = farthest > boundingDiagonal; // of another model, or in another unit
   if (isFar || (!quiet && farthest > Number.EPSILON * boundingDiagonal)) {
     const count = closest.face.length;
-    const places = count === 1 ? '1 place, it is' : `${count} places, the farthest`;
+    const places = count === 1 ? 'the place is' : `the farthest of ${count} places is`;
     process.stderr.write(
       `${isFar ? 'warning' : 'note'}: ${places} ${(units.scale * farthest).toPrecision(4)} from the surface\n`,
     );
