@@ -144,6 +144,13 @@ test('mesh', async () => {
     (source) => gvd.mesh(source),
     /^a mesh is made from/,
   );
+  // These have no entries of their own, as files in no folder.
+  await refused(
+    [Promise.resolve()],
+    (source) => gvd.mesh(source),
+    /^a mesh is .* Promise: await it$/,
+  );
+  await refused([new URL('file:///a.glb')], (source) => gvd.mesh(source), /URL: fetch or read the/);
   await refused(notOptions, (options) => gvd.mesh(octahedron(), options), /^options is /);
   await refused(
     notTasks.slice(notOptions.length),

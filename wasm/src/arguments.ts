@@ -114,19 +114,20 @@ function requireNoOtherIndices(source: MeshArrays): void {
 export function toFiles(source: unknown): ModelFiles {
   if (isModelFile(source)) return { '': source };
   if (source instanceof ArrayBuffer) return { '': new Uint8Array(source) };
-  if (isObject(source) && !Array.isArray(source)) {
+  const advice = adviceOn(source);
+  if (isObject(source) && !Array.isArray(source) && advice === '') {
     const entries = Object.entries(source);
     if (entries.every(([, file]) => isModelFile(file))) return source as ModelFiles;
   }
   throw invalidArgument(
-    `a mesh is made from the bytes of a file, from files by their paths, or from { positions, indices }; this is ${show(source)}` +
-      adviceOn(source),
+    `a mesh is made from the bytes of a file, from files by their paths, or from { positions, indices }; this is ${show(source)}${advice}`,
   );
 }
 
-/** What is nearly a mesh: the address of a file, or a geometry of three.js. */
+/** What is nearly a mesh: the address of a file, its bytes to come, or a geometry of three.js. */
 function adviceOn(source: unknown): string {
   if (typeof source === 'string' || source instanceof URL) return ': fetch or read the file';
+  if (source instanceof Promise) return ': await it';
   if (isObject(source) && 'isBufferGeometry' in source)
     return ': pass { positions: geometry.attributes.position.array, indices: geometry.index?.array }';
   return '';
