@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Reads the triangles of a glTF scene. A library of its own, `gvd_gltf`, because programs that
-/// have triangles already do not need it.
+/// Reads the triangles of a glTF scene. A library of its own, `gvd::gltf` in CMake, because
+/// programs that have triangles already do not need it.
 #pragma once
 
 #include <cstddef>

@@ -5,12 +5,14 @@
 /// \mainpage Reading guide
 ///
 /// 1. triangle_mesh.h: a surface from positions and triangles. surface_point.h: a point on it.
+///    sampling.h: sites at random.
 /// 2. geodesic.h: `propagate` computes the distances of many sites.
 /// 3. diagram.h: `traceDiagram` makes the Voronoi diagram of these distances.
 ///
 /// That is all that a diagram takes:
 ///
-///     gvd::TriangleMesh mesh(positions, triangles);
+///     const gvd::TriangleMesh mesh(positions, triangles);
+///     const std::vector<gvd::SurfacePoint> sites = gvd::sampleUniform(mesh, 100, 1);
 ///     const auto distances = gvd::finished(gvd::propagate(mesh, sites, gvd::Metric::kExact));
 ///     const gvd::Diagram diagram = gvd::traceDiagram(mesh, *distances, int(sites.size()));
 ///
@@ -20,7 +22,7 @@
 ///
 /// Then, as needed, in any order:
 ///  - subdivision.h: smaller triangles, where those of a model are about as long as regions
-///  - sampling.h: sites to begin with; curvature.h: densities for them; closest_point.h: points on
+///  - sampling.h: sites in other ways; curvature.h: densities for them; closest_point.h: points on
 ///    the surface for places in space
 ///  - dynamic_diagram.h: sites that are inserted, removed and moved
 ///  - cvt.h: sites at the centroids of their regions; straightest.h: how they are moved there

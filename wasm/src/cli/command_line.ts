@@ -51,7 +51,7 @@ export function parseCommandLine(args: string[], version: string): Invocation | 
 function requireSites(values: Partial<Values<'cvt'>>, texts: Texts): void {
   const { sites, radius, sampling, density, iterations } = values;
   if (sites === undefined && radius === undefined)
-    throw new UsageError('--sites N|FILE or --radius R is missing');
+    throw new UsageError('--sites N|FILE or --radius LENGTH is missing');
   if (sites !== undefined && radius !== undefined)
     throw new UsageError('--radius is instead of --sites: give one of them');
   if (radius !== undefined && sampling && sampling !== 'farthest' && sampling !== 'poisson')

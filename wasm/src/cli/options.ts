@@ -52,7 +52,7 @@ export const options = {
     help: 'Number of sites to sample, or a file of them: JSON, on the surface or by coordinates; or a PLY or a table of numbers, by coordinates',
   },
   radius: {
-    value: 'R',
+    value: 'LENGTH',
     parse: number(ranges.radius),
     optional: true,
     help: 'Instead of --sites: sample as many as it takes until no vertex is farther from one than this',
@@ -61,7 +61,7 @@ export const options = {
     value: 'METHOD',
     parse: oneOf([...samplings, ...worstRegions]),
     optional: true,
-    help: `How to sample: ${listed(samplings)}; size, distortion: one site after the other, in the region that is worst by that measure (default: random, with --radius farthest)`,
+    help: `How to sample: ${listed(samplings)}; size, distortion: one site after the other, in the largest region or the most distorted one (default: random, with --radius farthest)`,
   },
   'per-component': {
     value: 'N',
