@@ -208,8 +208,8 @@ export interface MeshOptions extends TaskOptions {
   file?: string | undefined;
   /**
    * Edges longer than this are halved until none is; a share of the bounding box's diagonal, 0 … 1.
-   * The triangles of the mesh, in all results too, are then the parts (`Mesh.parents`). For models
-   * whose triangles are about as long as regions (`Diagram.accuracy`). Default 0: as they are.
+   * The triangles of the mesh, in all results too, are then the smaller ones (`Mesh.parents`). For
+   * models whose triangles are about as long as regions (`Diagram.accuracy`). Default 0: as they are.
    */
   maxEdge?: number | undefined;
   /**
