@@ -198,9 +198,7 @@ export interface GltfLimits extends Partial<Record<GltfLimitName, number>> {
   maxZeroElements?: number;
 }
 
-/**
- * How a mesh is read and built; `MeshInfo.repairs` counts what was done.
- */
+/** How a mesh is read and built; `MeshInfo.repairs` counts what was done. */
 export interface MeshOptions extends TaskOptions {
   /** Higher limits, or lower ones. */
   limits?: GltfLimits | undefined;
