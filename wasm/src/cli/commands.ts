@@ -39,6 +39,7 @@ import {
   withProgress,
   writeNotes,
 } from './sites.js';
+import type { Lengths } from './values.js';
 
 interface Request<Command extends CommandName> {
   mesh: string;
@@ -79,11 +80,11 @@ async function info({ meshes, values }: Request<'info'>): Promise<void> {
   const list: object[] = [];
   for (const path of meshes) {
     try {
-      const { unit, parts, ...facts } = await factsOf(path, output, values);
-      reports.push(
-        `${isOnly ? '' : `${path}\n`}${meshReport(facts, { unit, isSubdivided: values['max-edge'] > 0 })}`,
-      );
-      list.push({ ...(!isOnly && { mesh: path }), ...facts, parts });
+      const facts = await factsOf(path, output, values);
+      const isSubdivided = values['max-edge'] > 0;
+      const report = meshReport(facts, { unit: facts.unit, isSubdivided });
+      reports.push(isOnly ? report : `${path}\n${report}`);
+      list.push({ ...(!isOnly && { mesh: path }), ...facts });
     } catch (error) {
       if (isOnly) throw error;
       output.requireNoModel();
@@ -101,11 +102,12 @@ async function factsOf(
   path: string,
   output: Output,
   values: Values<'info'>,
-): Promise<MeshInfo & Pick<Mesh, 'parts'> & { unit: string | undefined }> {
+): Promise<MeshInfo & Pick<Mesh, 'parts'> & Lengths> {
   const mesh = await openMesh(path, output, values);
   const { info, parts } = mesh;
   const { scale, unit } = lengthsOf(mesh, values);
   return {
+    scale,
     unit,
     ...info,
     area: scale * scale * info.area,
