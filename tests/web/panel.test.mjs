@@ -285,4 +285,34 @@ suite('the panel', () => {
     await click('#fullscreen');
     await viewer.page.waitForFunction(() => document.fullscreenElement === null);
   });
+
+  test('fields that a browser fills again say what the element does', async () => {
+    // As Firefox does once the document of a reloaded page is there.
+    const fill = () => {
+      document.addEventListener('readystatechange', () => {
+        if (document.readyState !== 'interactive') return;
+        for (const field of document.querySelectorAll('#panel :is(select, [type=number])')) {
+          if ([field, field.form].some((each) => each?.autocomplete === 'off')) continue;
+          if (field.localName === 'select') field.selectedIndex = 1;
+          else field.value = '7';
+        }
+      });
+    };
+    const filled = await browser.open({ prepare: (page) => page.addInitScript(fill) });
+    await filled.settled();
+    const { told, done } = await filled.evaluate((viewer) => {
+      const fields = [
+        ...document.querySelectorAll('#panel :is(select:not([size]), [type=number])'),
+      ];
+      const initial = ({ defaultValue, options }) => defaultValue ?? options[0].value;
+      const attribute = ({ id }) => viewer.getAttribute(id === 'count' ? 'sites' : id);
+      return {
+        told: fields.map(({ id, value }) => [id, value]),
+        done: fields.map((field) => [field.id, attribute(field) ?? initial(field)]),
+      };
+    });
+    assert.ok(told.length > 10);
+    assert.deepEqual(told, done);
+    await filled.close();
+  });
 });
