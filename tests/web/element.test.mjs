@@ -682,6 +682,24 @@ suite('attributes and events', () => {
     assert.ok(orbits.length > 0);
   });
 
+  // WebKit shows nothing of a canvas that was moved until it is drawn on.
+  test('one that is moved in its document is drawn anew', async (context) => {
+    const viewer = await opened(context, 'one.html');
+    await viewer.settled();
+    await viewer.evaluate(async (viewer) => {
+      const { prototype } = CanvasRenderingContext2D;
+      const { drawImage } = prototype;
+      await new Promise((resolve, reject) => {
+        setTimeout(() => reject(new Error('It is not drawn.')), 20_000);
+        prototype.drawImage = function (...picture) {
+          drawImage.apply(this, picture);
+          resolve();
+        };
+        document.body.append(viewer);
+      });
+    });
+  });
+
   test('a picture of it can be had, larger too', async (context) => {
     const viewer = await opened(context, 'one.html');
     await viewer.settled();

@@ -90,10 +90,10 @@ export class GeodesicVoronoiElement extends ReflectingElement {
   }
 
   disconnectedCallback(): void {
-    // An element that is only moved is connected again before this runs.
-    queueMicrotask(() => {
-      if (!this.isConnected) this.#disconnect();
-    });
+    // An element that is only moved is connected again by then; WebKit shows it once it is drawn anew.
+    queueMicrotask(() =>
+      this.isConnected ? this.#viewer?.stage.invalidate() : this.#disconnect(),
+    );
   }
 
   attributeChangedCallback(name: string, before: string | null, after: string | null): void {
