@@ -259,6 +259,18 @@ suite('files', () => {
       assert.equal(await viewer.page.evaluate(() => document.activeElement.id), 'download-button');
       await viewer.page.click('#error-close');
     }
+    // Whoever goes on meanwhile, as while a large file is made, is not called back.
+    await viewer.page.click('#download-button');
+    await viewer.page.evaluate(() => {
+      const button = document.querySelector('#download-bisectors-glb');
+      button.focus();
+      button.click();
+      document.querySelector('#count').focus();
+    });
+    await viewer.page.locator('#error').waitFor();
+    await menu.waitFor({ state: 'hidden' });
+    assert.equal(await viewer.page.evaluate(() => document.activeElement.id), 'count');
+    await viewer.page.click('#error-close');
     // A press on the model closes a menu, and adds no site.
     const place = await viewer.freePlace();
     await viewer.page.click('#download-button');

@@ -82,9 +82,9 @@ export function setUpDownloads(viewer: GeodesicVoronoiElement): void {
     // Notes and errors are about the last file only.
     endNote();
     hideError();
+    // Now, not when the file is there: the reader may be elsewhere by then.
+    byId('download-button', HTMLElement).focus();
     button.disabled = true;
-    const hadFocus =
-      menu.contains(document.activeElement) || document.activeElement === document.body;
     try {
       // The code that writes files is fetched with the first download.
       const { fileOf } = await import('./exports.js');
@@ -102,7 +102,6 @@ export function setUpDownloads(viewer: GeodesicVoronoiElement): void {
     } finally {
       // On a phone, the menu would cover the error.
       menu.hidePopover();
-      if (hadFocus) byId('download-button', HTMLElement).focus();
       button.ariaBusy = null;
       update();
     }
