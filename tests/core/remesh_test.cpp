@@ -213,5 +213,20 @@ TEST(Triangulate, KeepsSidesAndTurnsNoTriangleOver) {
   }
 }
 
+/// Two quadrangles on both sides of 0-1-2, which is bent at 1: 0-2 is the Delaunay diagonal of
+/// both.
+TEST(Triangulate, GivesTwoPolygonsAroundAVertexDifferentDiagonals) {
+  PolygonMesh polygons;
+  polygons.positions = {{0, 0, 0}, {1, 0, 2}, {2, 0, 0}, {1, 1, -2}, {1, -1, -2}};
+  polygons.faces.add(std::vector<int>{0, 1, 2, 3});
+  polygons.faces.add(std::vector<int>{4, 2, 1, 0});
+  ASSERT_TRUE(topologyOf(polygons).isManifold);
+  PolygonMesh triangles = polygons;
+  triangles.faces = {};
+  for (const auto& triangle : triangulate(polygons).triangles) triangles.faces.add(triangle);
+  EXPECT_EQ(triangles.faces.size(), 4);
+  EXPECT_TRUE(topologyOf(triangles).isManifold);
+}
+
 }  // namespace
 }  // namespace gvd

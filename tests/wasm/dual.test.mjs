@@ -59,6 +59,19 @@ test('a dual has a vertex per site, in its place, and the topology of the surfac
   }
 });
 
+test('the triangles of a dual are a manifold where one region cuts another off', async () => {
+  const mesh = await gvd.mesh(grid(4));
+  const diagram = await mesh.voronoi(await mesh.sampleSites(5, { seed: 2 }));
+  assert.deepEqual(await diagram.violations(), []);
+  const { points } = (await diagram.dual()).triangles;
+  const triangles = Array.from({ length: points.length / 3 }, (_, i) => [
+    ...points.subarray(3 * i, 3 * i + 3),
+  ]);
+  const { euler, isOriented } = surfaceOf(triangles);
+  assert.ok(isOriented);
+  assert.equal(euler, 1);
+});
+
 test('the sides of a dual are paths between the sites of its arcs', async () => {
   const { diagram } = await validDiagram(grid(12), 10);
   // Of a diagram that has changed, the order of arcs is another.

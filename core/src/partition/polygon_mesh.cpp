@@ -40,6 +40,11 @@ class PolygonHalfedges {
   /// The next halfedge that leaves the same vertex, counterclockwise; -1 past the last.
   int rotate(int h) const { return twin_[previous_[h]]; }
   int rotateBack(int h) const { return twin_[h] < 0 ? -1 : next_[twin_[h]]; }
+  /// Whether two faces surround the vertex that a halfedge leaves.
+  bool leavesBetweenTwoFaces(int h) const {
+    const int other = rotate(h);
+    return other >= 0 && other != h && rotate(other) == h;
+  }
   /// Whether every side has two different ends, and no side occurs twice in one direction.
   bool isOriented() const { return isOriented_; }
 
@@ -155,6 +160,7 @@ int countBoundaryLoops(const PolygonHalfedges& halfedges) {
 
 PolygonTriangles triangulate(const PolygonMesh& mesh) {
   requireVertices(mesh);
+  const PolygonHalfedges halfedges(mesh);
   PolygonTriangles result;
   ConvexTriangulation triangulation;
   std::vector<Eigen::Vector2d> corners;
@@ -169,9 +175,19 @@ PolygonTriangles triangulate(const PolygonMesh& mesh) {
     corners.clear();
     for (size_t i = 0; i < polygon.size(); ++i)
       corners.emplace_back(x.dot(position(i)), y.dot(position(i)));
-    for (const auto& [a, b, c] : triangulation.compute(corners)) {
+    const auto add = [&](size_t a, size_t b, size_t c) {
       result.triangles.push_back({polygon[a], polygon[b], polygon[c]});
       result.face.push_back(f);
+    };
+    size_t centre = polygon.size() == 4 ? 0 : polygon.size();
+    while (centre < polygon.size() &&
+           !halfedges.leavesBetweenTwoFaces(mesh.faces.offset[f] + static_cast<int>(centre)))
+      ++centre;
+    if (centre < polygon.size()) {
+      add(centre, (centre + 1) % 4, (centre + 2) % 4);
+      add(centre, (centre + 2) % 4, (centre + 3) % 4);
+    } else {
+      for (const auto& [a, b, c] : triangulation.compute(corners)) add(a, b, c);
     }
   }
   return result;
