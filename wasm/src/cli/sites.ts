@@ -6,7 +6,7 @@ import { toPoints } from '../arguments.js';
 import { load } from '../node.js';
 import type { SurfacePoints } from '../results.js';
 import { counted, integer } from '../sentences.js';
-import type { Density, Mesh, SurfacePointsInput } from '../types.js';
+import type { Density, Mesh } from '../types.js';
 import { FileError, type Output, readModel } from './files.js';
 import { standard, type Values } from './options.js';
 import { type GivenPoints, readPoints } from './points.js';
@@ -152,15 +152,16 @@ export function meshNotes({ info: { notes, repairs } }: Mesh): string[] {
   return [...notes, ...cuts];
 }
 
-/** Notes the components that no site is on, if there are any. */
-async function bareNotes(mesh: Mesh, sites: SurfacePointsInput): Promise<string[]> {
+/** Notes the components that no site is on, if there are any, and options that put one on each. */
+async function bareNotes(mesh: Mesh, sites: PointsOnSurface): Promise<string[]> {
   const { components, area } = mesh.info;
   const bare = await mesh.bareComponents(sites);
   if (bare.components === 0) return [];
   const share = Number(((100 * bare.area) / area).toPrecision(2));
+  const count = ('vertex' in sites ? sites.vertex : sites.face).length;
   return [
     `${bare.components} of ${components} components, ${share} % of the area, have no site ` +
-      '(--per-component 1 samples one on each)',
+      `(--sites ${Math.max(count, components)} --per-component 1 samples one on each)`,
   ];
 }
 
