@@ -163,7 +163,7 @@ function setUpErrors(viewer: GeodesicVoronoiElement): void {
   listen(viewer, 'error', ({ type, message }) => {
     byId('progress', HTMLElement).hidden = true;
     if (!viewer.loaded) {
-      tellNone(type === 'nowebgl' ? '' : ' Reload the page to try again, or open another one.');
+      tellNone(type === 'nowebgl' ? '' : ' Reload the page to try again, or open another model.');
     } else if (type === 'loadfailure' || type === 'computefailure') {
       const advice = isIncomplete.test(message) ? ' Open both together, or their folder.' : '';
       showError(message + advice);

@@ -102,7 +102,8 @@ export class RegionSurface {
 
   /**
    * Without a diagram the surface is neutral. Of the faces, those that have not changed stay as
-   * they are; `cells` are the diagram's if they have been cut already.
+   * they are, but for mixed ones, whose cells may be others; `cells` are the diagram's if they have
+   * been cut already.
    */
   setDiagram(diagram: TonedDiagram | undefined, cells?: CellTriangles): void {
     const before = this.#diagram?.tones;

@@ -32,7 +32,7 @@ export class Session {
   readonly #listener: SessionListener;
   readonly #onProgress = (share: number) => this.#listener.progressed(share);
   readonly #history = new SiteHistory();
-  readonly #task = new LatestTask<DiagramRequest>((...task) => this.#compute(...task));
+  readonly #task = new LatestTask<DiagramRequest>(this.#compute.bind(this));
   #settings: DiagramSettings = { metric: 'exact', detail: 0 };
   #lease: LibraryLease | undefined;
   #opening: AbortController | undefined;

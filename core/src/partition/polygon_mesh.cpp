@@ -45,6 +45,12 @@ class PolygonHalfedges {
     const int other = rotate(h);
     return other >= 0 && other != h && rotate(other) == h;
   }
+  /// The first corner with such a vertex of a quadrangle, which begins at a halfedge; -1 for none.
+  int cornerBetweenTwoFaces(int first) const {
+    for (int i = 0; i < 4; ++i)
+      if (leavesBetweenTwoFaces(first + i)) return i;
+    return -1;
+  }
   /// Whether every side has two different ends, and no side occurs twice in one direction.
   bool isOriented() const { return isOriented_; }
 
@@ -179,13 +185,10 @@ PolygonTriangles triangulate(const PolygonMesh& mesh) {
       result.triangles.push_back({polygon[a], polygon[b], polygon[c]});
       result.face.push_back(f);
     };
-    size_t centre = polygon.size() == 4 ? 0 : polygon.size();
-    while (centre < polygon.size() &&
-           !halfedges.leavesBetweenTwoFaces(mesh.faces.offset[f] + static_cast<int>(centre)))
-      ++centre;
-    if (centre < polygon.size()) {
-      add(centre, (centre + 1) % 4, (centre + 2) % 4);
-      add(centre, (centre + 2) % 4, (centre + 3) % 4);
+    const int i = polygon.size() == 4 ? halfedges.cornerBetweenTwoFaces(mesh.faces.offset[f]) : -1;
+    if (i >= 0) {
+      add(i, (i + 1) % 4, (i + 2) % 4);
+      add(i, (i + 2) % 4, (i + 3) % 4);
     } else {
       for (const auto& [a, b, c] : triangulation.compute(corners)) add(a, b, c);
     }
