@@ -110,6 +110,7 @@ Record infoRecord(const TriangleMesh& mesh) {
   out.add("boundaryLoops", topology.boundaryLoops);
   out.add("eulerCharacteristic", topology.eulerCharacteristic);
   out.add("genus", topology.genus);
+  out.add("hasOpenSeams", topology.hasOpenSeams);
   out.add("area", mesh.area());
   out.add("boundingDiagonal", mesh.boundingDiagonal());
   out.add("repairs", repairsRecord(mesh.repairs()));

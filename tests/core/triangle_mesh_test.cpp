@@ -597,11 +597,34 @@ TEST(Weld, JoinsWhatRoundingHasTornApart) {
   for (const double scale : {1e-30, 1.0, 1e30}) {
     const Shape torn = shapes::scaled(jittered(shapes::unwelded(shapes::cube()), 1e-7, 1), scale);
     EXPECT_EQ(torn.mesh().topology().components, 12);
+    EXPECT_TRUE(torn.mesh().topology().hasOpenSeams);
     const TriangleMesh mesh = repairedMesh(torn, {.weld = 1e-6});
     EXPECT_EQ(mesh.vertexCount(), 8);
     EXPECT_EQ(mesh.repairs().weldedVertices, 36 - 8);
     EXPECT_EQ(mesh.topology().boundaryLoops, 0);
+    EXPECT_FALSE(mesh.topology().hasOpenSeams);
   }
+}
+
+TEST(OpenSeams, AreFoundInLongBoundaries) {
+  // Two sheets of 10,002 boundary vertices each, along each other on one side; the diagonal is √5.
+  const auto hasOpenSeams = [](double gap) {
+    const Shape sheet = shapes::grid(5000, 1);
+    const Shape sheets = shapes::joined(sheet, shapes::moved(sheet, {0, 1 + gap, 0}));
+    return sheets.mesh().topology().hasOpenSeams;
+  };
+  EXPECT_TRUE(hasOpenSeams(2e-6));
+  EXPECT_FALSE(hasOpenSeams(3e-6));
+}
+
+TEST(OpenSeams, AreNeitherShortBoundaryEdgesNorCutEdges) {
+  Shape shape = shapes::grid(1, 1);
+  const int near = shape.addVertex({1 + 1e-9, 0, 0});
+  shape.addTriangle(1, near, 3);
+  EXPECT_FALSE(shape.mesh().topology().hasOpenSeams);
+  const TriangleMesh moebius = shapes::moebiusStrip(20).mesh();
+  EXPECT_GT(moebius.repairs().orientationCuts, 0);
+  EXPECT_FALSE(moebius.topology().hasOpenSeams);
 }
 
 TEST(Weld, IsRelativeToTheBoxOfTheTrianglesAlone) {

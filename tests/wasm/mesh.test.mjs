@@ -159,10 +159,15 @@ test('vertices are welded within a tolerance, in triangles and in files', async 
     indices: indices.map((_, i) => i),
   };
   for (const source of [torn, glb(torn)]) {
-    assert.equal((await gvd.mesh(source)).info.components, 8);
+    const seen = (await gvd.mesh(source)).info;
+    assert.equal(seen.components, 8);
+    assert.equal(seen.hasOpenSeams, true);
+    assert.match(seen.notes.at(-1), /nearly coincide.*weld 1e-6/);
     const { info } = await gvd.mesh(source, { weld: 1e-5 });
     assert.equal(info.components, 1);
     assert.equal(info.boundaryLoops, 0);
+    assert.equal(info.hasOpenSeams, false);
+    assert.deepEqual(info.notes, []);
     assert.equal(info.repairs.weldedVertices, 18);
   }
 });

@@ -22,6 +22,7 @@ import { GeodesicVoronoiError } from './errors.js';
 import { type InputModules, readModel } from './input/read_model.js';
 import { settled } from './kept.js';
 import type { DiagramData, MeshInfo, MeshPart, SurfacePoints } from './results.js';
+import { openSeamsNote } from './sentences.js';
 import { inSlices, partOf, type SlicedWork } from './slices.js';
 import {
   type Subdivision,
@@ -156,7 +157,10 @@ export class LocalEngine implements Engine {
       const info: MeshInfo = {
         ...counts,
         origin: { format: 'arrays', file: '' },
-        notes: cut ? [subdivisionNote(given.indices.length / 3, cut)] : [],
+        notes: [
+          ...(cut ? [subdivisionNote(given.indices.length / 3, cut)] : []),
+          ...(counts.hasOpenSeams ? [openSeamsNote] : []),
+        ],
       };
       const handle = this.#store({ pointer: mesh, free: 'freeMesh' });
       try {

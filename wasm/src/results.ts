@@ -105,13 +105,18 @@ export interface MeshInfo {
   boundaryLoops: number;
   eulerCharacteristic: number;
   genus: number;
+  /**
+   * Whether boundary vertices nearly coincide: within 1e-6 of the bounding diagonal, not joined by
+   * an edge. Mostly rounding has made two of one, and `weld` joins them.
+   */
+  hasOpenSeams: boolean;
   /** In the input's units, squared. */
   area: number;
   /** Length of the bounding box's diagonal. */
   boundingDiagonal: number;
   repairs: MeshRepairs;
   origin: MeshOrigin;
-  /** A sentence for each thing that the reader of the file passed over or changed. */
+  /** A sentence for each thing that was passed over, changed or found suspicious. */
   notes: string[];
 }
 

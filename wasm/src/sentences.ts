@@ -38,6 +38,10 @@ const repairTexts: Record<
     `${triangles(n)} flat or tiny: for distances, all edges are longer by ${by}, and flat triangles become a little higher`,
 };
 
+/** Of a mesh with open seams. */
+export const openSeamsNote =
+  'some boundary vertices nearly coincide: welded within 0.0001 % of the diagonal (weld 1e-6), distances would lead across';
+
 const vertices = (count: number) => counted(count, 'vertex', 'vertices');
 const triangles = (count: number) => counted(count, 'triangle');
 

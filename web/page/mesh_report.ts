@@ -20,9 +20,9 @@ export function setUpMeshReport(viewer: GeodesicVoronoiElement): void {
     repairs.replaceChildren(...sentencesOf(info).map((sentence) => cell('span', sentence)));
     const { orientationCuts, nonManifoldEdges } = info.repairs;
     const cuts = orientationCuts + nonManifoldEdges;
-    if (cuts > 0) {
+    if (cuts > 0 || info.hasOpenSeams) {
       showNote(
-        `This model is cut along ${counted(cuts, 'edge')} where its triangles do not fit together: ` +
+        `This model is cut along ${cuts > 0 ? counted(cuts, 'edge') : 'seams'} where its triangles do not fit together: ` +
           'distances lead around the cuts. “Model”, in the controls, tells more.',
       );
     }

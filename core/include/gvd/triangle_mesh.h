@@ -61,6 +61,10 @@ struct MeshTopology {
   int eulerCharacteristic = 0;  ///< V - E + F
   /// Sum of the genera of all components: (2·components - boundaryLoops - eulerCharacteristic) / 2.
   int genus = 0;
+  /// Whether boundary vertices nearly coincide: within 1e-6 of the bounding diagonal, not joined by
+  /// an edge. Mostly rounding has made two of one, and `MeshOptions::weld` joins them, so that
+  /// paths lead across. Looked for at 4096 boundary vertices at most, evenly spaced.
+  bool hasOpenSeams = false;
 };
 
 /// An oriented 2-manifold triangle mesh, with or without boundary, of one or several components:

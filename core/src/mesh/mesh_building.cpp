@@ -27,6 +27,10 @@ constexpr double kNeedle = 1e-5;
 /// Faces per unit: measuring one takes three arctangents.
 constexpr long kMeasuredFaces = 2;
 
+/// Boundary vertices that are no farther apart nearly coincide, as a share of the bounding
+/// diagonal: sixteen times the rounding of coordinates in single precision.
+constexpr double kSeamWidth = 1e-6;
+
 [[noreturn]] void rejectMesh(const std::string& why) { throw Error(ErrorCode::kInvalidMesh, why); }
 
 void requireValid(const MeshOptions& options) {
@@ -135,6 +139,10 @@ bool MeshBuilding::advance(long budget) {
       [&] { return fillInSlices(isOnFoundLoop_, m.vertexCount(), '\0', budget); },
       [&] {
         return loop_.run(m.vertexCount(), budget, kQuickRounds, [&](int v) { followLoopFrom(v); });
+      },
+      [&] { sampleBoundary(); },
+      [&] {
+        return loop_.run(boundary_.size(), budget, 4, [&](int i) { lookForSeam(boundary_[i]); });
       },
       [&] { countTopology(); });
 }
@@ -264,8 +272,25 @@ void MeshBuilding::sumUp(int f) {
 void MeshBuilding::followLoopFrom(int vertex) {
   if (!mesh_.onBoundary(vertex) || isOnFoundLoop_[vertex]) return;
   mesh_.boundaryLoops_.push_back(mesh_.outgoing(vertex));
-  for (int v = vertex; !isOnFoundLoop_[v]; v = mesh_.tip(mesh_.outgoing(v)))
+  for (int v = vertex; !isOnFoundLoop_[v]; v = mesh_.tip(mesh_.outgoing(v))) {
     isOnFoundLoop_[v] = true;
+    boundary_.push_back(v);
+  }
+}
+
+void MeshBuilding::sampleBoundary() {
+  constexpr std::size_t kSamples = 4096;
+  boundarySamples_.emplace(mesh_.positions_, kSeamWidth * mesh_.boundingDiagonal_);
+  const std::size_t step = (boundary_.size() + kSamples - 1) / kSamples;
+  for (std::size_t i = 0; i < boundary_.size(); i += step) boundarySamples_->add(boundary_[i]);
+}
+
+/// Edges that were cut leave vertices at one position; these are no seam.
+void MeshBuilding::lookForSeam(int v) {
+  const int near = boundarySamples_->firstNear(mesh_.position(v));
+  if (near < 0 || mesh_.position(near) == mesh_.position(v)) return;
+  const auto nextOnLoop = [&](int of) { return mesh_.tip(mesh_.outgoing(of)); };
+  if (nextOnLoop(v) != near && nextOnLoop(near) != v) mesh_.topology_.hasOpenSeams = true;
 }
 
 void MeshBuilding::countTopology() {

@@ -11,6 +11,7 @@
 #include "mesh/input_map.h"
 #include "mesh/manifold_building.h"
 #include "mesh/mollification.h"
+#include "mesh/point_grid.h"
 #include "mesh/triangle_selection.h"
 #include "mesh/vertex_welding.h"
 
@@ -41,6 +42,8 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   IntrinsicTriangle triangle(int face) const;
   void sumUp(int face);
   void followLoopFrom(int vertex);
+  void sampleBoundary();
+  void lookForSeam(int vertex);
   void countTopology();
 
   std::vector<double> positions_;  ///< the input's, later the mesh's
@@ -64,6 +67,8 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   std::optional<InputMap> mapping_;
   std::vector<double> leastExcess_;  ///< of each face
   std::vector<char> isOnFoundLoop_;  ///< vertices
+  std::vector<int> boundary_;        ///< vertices, along the loops
+  std::optional<PointGrid> boundarySamples_;
 };
 
 }  // namespace gvd
