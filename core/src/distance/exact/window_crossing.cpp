@@ -31,7 +31,7 @@ void WindowSweep::crossFace(int h) {
   const int left = face.twins[k], right = face.twins[j];
   const WindowLists::List list = windows_.take(h);
   const std::span<const Window> windows = list.windows();
-  revisits_.noteCrossing(reached_.size());
+  revisits_.noteCrossing(vertices_.count());
   offerToApex(h, windows);
   if (to_ == SpreadTo::kSites) offerSites(h, windows);
   if (!points_.isEmpty() && to_ != SpreadTo::kRequired)
@@ -63,8 +63,8 @@ void WindowSweep::offerToApex(int h, std::span<const Window> windows) {
 }
 
 WindowSweep::End WindowSweep::endAt(int v) const {
-  if (to_ == SpreadTo::kSites) return {distanceAt(v), search_.mostAt(v)};
-  return {distanceAt(v), bounds_[v].distance + tieMargin_};
+  if (to_ == SpreadTo::kSites) return {vertices_.distance(v), search_.mostAt(v)};
+  return {vertices_.distance(v), bounds_[v].distance + tieMargin_};
 }
 
 WindowSweep::Portal WindowSweep::portal(int h, double length, const End& tail,
@@ -115,8 +115,9 @@ void WindowSweep::crossSide(int h, std::span<const Window> windows, const Portal
   // the shortest one to the apex, only lines that cross its last piece are longer. None of this
   // applies if the apex is beside a window or at its end, up to rounding: all lines then pass it on
   // the same side, and a virtual source may lie on the line to the apex.
-  const Vertex& apex = vertices_[face.vertices[cornerBefore(i)]];
-  const bool isApexFromHere = (apex.epoch == epoch_) & (apex.piece.arrival == h);
+  const int apexVertex = face.vertices[cornerBefore(i)];
+  const Vertex& apex = vertices_[apexVertex];
+  const bool isApexFromHere = vertices_.has(apexVertex) & (apex.piece.arrival == h);
   const double longest = apex.distance + kDistanceTolerance * (apex.distance + face.lengths[i]);
   const bool isBent = apex.piece.kind == PathKind::kBent;
 

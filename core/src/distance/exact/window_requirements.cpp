@@ -55,28 +55,21 @@ void WindowSweep::visitWaiting(Visit visit) const {
 /// Requires the distances of a face's corners that are not final yet.
 void WindowSweep::requireCorners(int f, double atMost) {
   for (const int v : mesh_.face(f).vertices) {
-    Vertex& own = vertices_[v];
-    if (own.epoch != epoch_) addVertex(v);
+    Vertex& own = vertices_.reach(v);
     if (own.isFinal | (own.required != RequiredDistances::kNone)) continue;
     own.required = required_.add(placeOf(v), std::min(own.distance, atMost), bounds_[v].distance);
   }
 }
 
-/// The index of a vertex in `required_`.
-int WindowSweep::requiredIndex(int v) const {
-  static_assert(RequiredDistances::kNone == 0);
-  return vertices_[v].required & -static_cast<int>(vertices_[v].epoch == epoch_);
-}
-
 bool WindowSweep::hasRequiredCorner(int f) const {
   const TriangleMesh::Face& face = mesh_.face(f);
-  return isRequired(face.vertices[0]) + isRequired(face.vertices[1]) +
-             isRequired(face.vertices[2]) >
+  return vertices_.isRequired(face.vertices[0]) + vertices_.isRequired(face.vertices[1]) +
+             vertices_.isRequired(face.vertices[2]) >
          0;
 }
 
 void WindowSweep::offerRequired(int v, double distance, const LastPiece& piece) {
-  if (isRequired(v)) offer(v, distance, piece);
+  if (vertices_.isRequired(v)) offer(v, distance, piece);
 }
 
 /// Offers the corners of a face the paths along its sides from other corners.
@@ -90,7 +83,7 @@ void WindowSweep::offerAlongSides(int f) {
     const auto offerTo = [&](int corner, double length, int arrival, double crossing) {
       const int to = face.vertices[corner];
       const bool isShorter = distance + length < vertices_[to].distance;
-      if (isRequired(to) & isShorter)
+      if (vertices_.isRequired(to) & isShorter)
         offer(to, distance + length,
               {crossing, distance, directionAt(v), arrival, PathKind::kBent});
     };
@@ -107,7 +100,7 @@ void WindowSweep::offerToCorners(const Window& w, int h) {
   const int i = h % 3, j = cornerAfter(i), k = cornerBefore(i);
   const double length = face.lengths[i];
   const double grazed = grazing(length);
-  if (isRequired(face.vertices[k])) {
+  if (vertices_.isRequired(face.vertices[k])) {
     const Eigen::Vector2d p = apexOf(face, i);
     const double straight = w.crossing(p.x(), p.y());
     const double crossing = std::clamp(straight, w.begin, w.end);
@@ -123,10 +116,10 @@ void WindowSweep::offerToCorners(const Window& w, int h) {
   }
   // Along the halfedge from an end of the window. A window that ends at the vertex has offered the
   // straight path already, with the direction in which it arrives.
-  if (isRequired(face.vertices[i]) && w.begin > grazed)
+  if (vertices_.isRequired(face.vertices[i]) && w.begin > grazed)
     offerRequired(face.vertices[i], w.distanceOnEdge(w.begin) + w.begin,
                   {0, w.sourceDistance, w.direction, h - i + j, PathKind::kBent});
-  if (isRequired(face.vertices[j]) && w.end < length - grazed)
+  if (vertices_.isRequired(face.vertices[j]) && w.end < length - grazed)
     offerRequired(face.vertices[j], w.distanceOnEdge(w.end) + length - w.end,
                   {face.lengths[k], w.sourceDistance, w.direction, h - i + k, PathKind::kBent});
 }
@@ -166,7 +159,8 @@ void WindowSweep::addPoint(const SurfacePoint& p, int index) {
   points_.add(p, index);
   const TriangleMesh::Face& face = mesh_.face(p.face);
   for (int i = 0; i < 3; ++i)
-    required_.lower(index, distanceAt(face.vertices[i]) + wayToCorner(face, p.bary, i).norm());
+    required_.lower(index,
+                    vertices_.distance(face.vertices[i]) + wayToCorner(face, p.bary, i).norm());
 }
 
 /// Offers the paths through a window to the required points of its face.
@@ -212,7 +206,7 @@ bool WindowSweep::canGain(int h, const Windows& windows) {
   const Eigen::Vector3d place =
       (1 - share) * placeOf(face.vertices[i]) + share * placeOf(face.vertices[j]);
   inFace_.clear();
-  for (const int v : face.vertices) inFace_.push_back(requiredIndex(v));
+  for (const int v : face.vertices) inFace_.push_back(vertices_.required(v));
   for (const auto& p : points_.in(h / 3)) inFace_.push_back(p.index);
   return required_.canGain(place, end - middle, least, excess, inFace_);
 }

@@ -43,11 +43,9 @@ WindowSweep::WindowSweep(const TriangleMesh& mesh, NearestBounds& bounds)
       revisits_(mesh),
       required_(mesh.boundingDiagonal()),
       search_(bounds.ties()),
-      vertices_(mesh.vertexCount()),
+      vertices_(mesh),
       windows_(mesh.halfedgeCount()),
-      queue_(kBucketsPerEdge / mesh.shortEdgeLength()) {
-  for (int v = 0; v < mesh.vertexCount(); ++v) vertices_[v].isSaddle = isSaddle(mesh, v);
-}
+      queue_(kBucketsPerEdge / mesh.shortEdgeLength()) {}
 
 // --- One label ---------------------------------------------------------------------------------
 
@@ -57,10 +55,9 @@ void WindowSweep::begin(int label, SpreadTo to, LabelState& state) {
   to_ = to;
   state_ = &state;
   revisits_.begin();
-  ++epoch_;
+  vertices_.clear();
   required_.clear();
   points_.clear();
-  reached_.clear();
   waiting_.clear();
   waitingSources_.clear();
 }
@@ -85,7 +82,7 @@ void WindowSweep::startWaiting(int label, const SurfacePoint& site, LabelState& 
 
 void WindowSweep::resume(int label, LabelState& state) {
   begin(label, SpreadTo::kOwned, state);
-  load();
+  vertices_.load(state);
   for (const WaitingWindow& w : std::exchange(state.waiting, {})) {
     Window window = w.window;
     add(window, portalTo(w.halfedge));
@@ -115,7 +112,7 @@ void WindowSweep::beginToRequire(int label, LabelState& state) {
       to_ == SpreadTo::kRequired && label_ == label && state_ == &state && points_.isEmpty();
   if (!isSame || isUnderWay_) {
     begin(label, SpreadTo::kRequired, state);
-    load();
+    vertices_.load(state);
   }
   isUnderWay_ = true;
   required_.clear();
@@ -123,35 +120,10 @@ void WindowSweep::beginToRequire(int label, LabelState& state) {
   waitingSources_.clear();
 }
 
-/// Loads the label's distances at vertices into the working memory.
-void WindowSweep::load() {
-  for (size_t i = 0; i < state_->vertices.size(); ++i) {
-    const ReachedVertex& r = state_->vertices[i];
-    reached_.push_back(r.vertex);
-    vertices_[r.vertex] = {.distance = r.distance,
-                           .piece = state_->pieces[i],
-                           .epoch = epoch_,
-                           .index = static_cast<int>(i),
-                           .isFinal = r.isFinal,
-                           .isSaddle = vertices_[r.vertex].isSaddle};
-  }
-}
-
 /// Stores the label's distances, waiting windows and waiting sources in its state.
 void WindowSweep::store() {
-  // Allocates exactly, because a label is stored only once or twice.
-  state_->vertices.reserve(reached_.size());
-  state_->pieces.reserve(reached_.size());
+  vertices_.store(*state_);
   state_->waiting.reserve(state_->waiting.size() + waiting_.size());
-  state_->vertices.resize(reached_.size());
-  state_->pieces.resize(reached_.size());
-  for (size_t i = 0; i < reached_.size(); ++i) {
-    Vertex& own = vertices_[reached_[i]];
-    own.isFinal |= own.required != RequiredDistances::kNone;
-    own.required = RequiredDistances::kNone;
-    state_->vertices[i] = {reached_[i], own.isFinal, own.distance};
-    state_->pieces[i] = own.piece;
-  }
   state_->waiting.insert(state_->waiting.end(), waiting_.begin(), waiting_.end());
   state_->waitingSources.insert(state_->waitingSources.end(), waitingSources_.begin(),
                                 waitingSources_.end());
@@ -207,8 +179,7 @@ void WindowSweep::startAcross(const SurfacePoint& site, int side, double angle) 
 }
 
 void WindowSweep::offer(int v, double distance, const LastPiece& piece) {
-  Vertex& own = vertices_[v];
-  if (own.epoch != epoch_) addVertex(v);
+  Vertex& own = vertices_.reach(v);
   if (!(rankOf({distance, piece.kind}) < rankOf({own.distance, own.piece.kind}))) return;
   own.distance = distance;
   own.piece = piece;
@@ -219,15 +190,6 @@ void WindowSweep::offer(int v, double distance, const LastPiece& piece) {
   if (own.required != RequiredDistances::kNone) required_.lower(own.required, distance);
   if (points_.isEmpty()) bounds_.lower(v, label_, distance);
   if (own.isSaddle || piece.arrival < 0) queueSource(v);
-}
-
-void WindowSweep::addVertex(int v) {
-  vertices_[v] = {.distance = kInfinity,
-                  .piece = {0, 0, 0, -1},
-                  .epoch = epoch_,
-                  .index = static_cast<int>(reached_.size()),
-                  .isSaddle = vertices_[v].isSaddle};
-  reached_.push_back(v);
 }
 
 /// The angle at which the path to a vertex leaves the site.

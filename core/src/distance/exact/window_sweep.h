@@ -8,6 +8,7 @@
 #include "base/bucket_queue.h"
 #include "distance/exact/fan_behind.h"
 #include "distance/exact/label_state.h"
+#include "distance/exact/label_vertices.h"
 #include "distance/exact/points_by_face.h"
 #include "distance/exact/required_distances.h"
 #include "distance/exact/revisit_filter.h"
@@ -97,16 +98,7 @@ class WindowSweep {
     kSites,     ///< from a point, while the path to a site can still become shorter
   };
 
-  /// The shortest path of the current label to a vertex so far.
-  struct alignas(64) Vertex {
-    double distance;
-    LastPiece piece;
-    std::uint64_t epoch = 0;                  ///< of the label that the other members belong to
-    int index = 0;                            ///< in `reached_`
-    int required = RequiredDistances::kNone;  ///< index in `required_`
-    bool isFinal = false, isQueued = false;
-    bool isSaddle = false;  ///< of the mesh, whatever the label
-  };
+  using Vertex = LabelVertices::Vertex;
   /// A vertex as an end of portals: the distance of the current label, and the limit up to which
   /// the label spreads on.
   struct End {
@@ -128,14 +120,12 @@ class WindowSweep {
   void begin(int label, SpreadTo to, LabelState& state);
   void dropLeftovers();
   void beginToRequire(int label, LabelState& state);
-  void load();
   void store();
 
   void startAt(const SurfacePoint& site);
   void startAtSide(const SurfacePoint& site, int i, double angle, bool isOnSide);
   void startAcross(const SurfacePoint& site, int side, double angle);
   void offer(int vertex, double distance, const LastPiece& piece);
-  void addVertex(int vertex);
   double directionAt(int vertex) const;
 
   void queueSource(int vertex);
@@ -166,8 +156,6 @@ class WindowSweep {
   void offerToPointsFrom(int vertex, int corner, int face);
   void offerSites(int halfedge, std::span<const Window> windows);
 
-  int requiredIndex(int vertex) const;
-  bool isRequired(int vertex) const { return requiredIndex(vertex) != RequiredDistances::kNone; }
   bool hasRequiredCorner(int face) const;
   void offerRequired(int vertex, double distance, const LastPiece& piece);
   void offerAlongSides(int face);
@@ -182,10 +170,6 @@ class WindowSweep {
   /// How far past the end of a window on a halfedge of some length a vertex may be seen
   /// (`kGrazing`).
   double grazing(double length) const { return std::max(kGrazing * length, leastGrazing_); }
-
-  double distanceAt(int v) const {
-    return vertices_[v].epoch == epoch_ ? vertices_[v].distance : kInfinity;
-  }
 
   const TriangleMesh& mesh_;
   NearestBounds& bounds_;
@@ -213,11 +197,9 @@ class WindowSweep {
 
   SiteSearch search_;  ///< if the label is a point that searches
 
-  // Working memory. A label leaves nothing in it but vertices of an old epoch.
-  std::uint64_t epoch_ = 0;
-  std::vector<Vertex> vertices_;
+  // Working memory.
+  LabelVertices vertices_;
   WindowLists windows_;
-  std::vector<int> reached_;
   std::vector<WaitingWindow> waiting_;  ///< where the label has stopped
   std::vector<int> waitingSources_;
   std::vector<LineToApex> toApex_;  ///< of each window of the current batch

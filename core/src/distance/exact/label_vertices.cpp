@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "distance/exact/label_vertices.h"
+
+#include "distance/exact/fan_behind.h"
+
+namespace gvd::exact {
+
+LabelVertices::LabelVertices(const TriangleMesh& mesh) : all_(mesh.vertexCount()) {
+  for (int v = 0; v < mesh.vertexCount(); ++v) all_[v].isSaddle = isSaddle(mesh, v);
+}
+
+void LabelVertices::add(int v) {
+  all_[v] = {.distance = kInfinity,
+             .piece = {0, 0, 0, -1},
+             .epoch = epoch_,
+             .index = static_cast<int>(reached_.size()),
+             .isSaddle = all_[v].isSaddle};
+  reached_.push_back(v);
+}
+
+void LabelVertices::load(const LabelState& state) {
+  for (std::size_t i = 0; i < state.vertices.size(); ++i) {
+    const ReachedVertex& r = state.vertices[i];
+    add(r.vertex);
+    Vertex& own = all_[r.vertex];
+    own.distance = r.distance;
+    own.piece = state.pieces[i];
+    own.isFinal = r.isFinal;
+  }
+}
+
+void LabelVertices::store(LabelState& state) {
+  // Allocates exactly, because a label is stored only once or twice.
+  state.vertices.reserve(reached_.size());
+  state.pieces.reserve(reached_.size());
+  state.vertices.resize(reached_.size());
+  state.pieces.resize(reached_.size());
+  for (std::size_t i = 0; i < reached_.size(); ++i) {
+    Vertex& own = all_[reached_[i]];
+    own.isFinal |= own.required != RequiredDistances::kNone;
+    own.required = RequiredDistances::kNone;
+    state.vertices[i] = {reached_[i], own.isFinal, own.distance};
+    state.pieces[i] = own.piece;
+  }
+}
+
+}  // namespace gvd::exact

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "distance/exact/label_state.h"
+#include "distance/exact/required_distances.h"
+#include "gvd/geodesic.h"
+#include "gvd/triangle_mesh.h"
+
+namespace gvd::exact {
+
+/// The vertices that the current label has reached. There is room for all vertices of the mesh, but
+/// a label touches only those that it reaches, which stay in the cache.
+class LabelVertices {
+ public:
+  /// The label's shortest path to a vertex so far.
+  struct alignas(64) Vertex {
+    double distance;
+    LastPiece piece;
+    std::uint64_t epoch = 0;                  ///< of the label that the other members belong to
+    int index = 0;                            ///< in the label's state
+    int required = RequiredDistances::kNone;  ///< index in the required distances
+    bool isFinal = false, isQueued = false;
+    bool isSaddle = false;  ///< of the mesh, whatever the label
+  };
+
+  explicit LabelVertices(const TriangleMesh& mesh);
+
+  /// Begins with another label, which has reached no vertex.
+  void clear() {
+    ++epoch_;
+    reached_.clear();
+  }
+  /// Begins with the vertices of a label's state, after `clear`.
+  void load(const LabelState& state);
+  /// Writes distances and last pieces to the label's state. Those that were required are final.
+  void store(LabelState& state);
+
+  std::size_t count() const { return reached_.size(); }
+  bool has(int v) const { return all_[v].epoch == epoch_; }
+  /// A vertex that the label has reached.
+  const Vertex& operator[](int v) const { return all_[v]; }
+  Vertex& operator[](int v) { return all_[v]; }
+  /// A vertex that counts as reached from now on, if need be at distance infinity.
+  Vertex& reach(int v) {
+    if (!has(v)) add(v);
+    return all_[v];
+  }
+  /// Infinity unless the label has reached the vertex.
+  double distance(int v) const { return has(v) ? all_[v].distance : kInfinity; }
+  /// The index in the required distances.
+  int required(int v) const {
+    static_assert(RequiredDistances::kNone == 0);
+    return all_[v].required & -static_cast<int>(has(v));
+  }
+  bool isRequired(int v) const { return required(v) != RequiredDistances::kNone; }
+
+ private:
+  void add(int v);
+
+  std::uint64_t epoch_ = 0;
+  std::vector<Vertex> all_;
+  std::vector<int> reached_;
+};
+
+}  // namespace gvd::exact
