@@ -448,8 +448,9 @@ TEST(CoverComponents, RejectsCountsThatDoNotSuffice) {
     coverComponents(mesh, {}, 2, 11, 1);
     ADD_FAILURE() << "no error";
   } catch (const Error& error) {
-    EXPECT_STREQ(error.what(),
-                 "there cannot be 2 sites on each of 6 components if there are 11 in all");
+    EXPECT_STREQ(
+        error.what(),
+        "2 per component, of which the mesh has 6, makes 12 sites, more than the 11 in all");
   }
   EXPECT_THROW(coverComponents(mesh, {}, -1, 11, 1), Error);
   EXPECT_THROW(coverComponents(mesh, {}, 2147483647, 2147483647, 1), Error);

@@ -249,7 +249,7 @@ test('components without a site are told of; --per-component puts some there', (
   fails(
     1,
     'diagram two.glb --sites 3 --per-component 2 -o d.json',
-    /2 sites on each of 2 components/,
+    /2 per component, of which the mesh has 2, makes 4 sites/,
   );
   fails(2, 'diagram two.glb --sites sites.json --per-component 1', /--per-component/);
 });

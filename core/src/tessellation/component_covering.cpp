@@ -53,11 +53,12 @@ std::vector<SurfacePoint> coverComponents(const TriangleMesh& mesh,
                                           int count, std::uint64_t seed) {
   requireCount(perComponent);
   const int components = mesh.topology().components;
-  if (static_cast<std::int64_t>(perComponent) * components > count)
-    throw Error(ErrorCode::kInvalidArgument, "there cannot be " + std::to_string(perComponent) +
-                                                 " sites on each of " + std::to_string(components) +
-                                                 " components if there are " +
-                                                 std::to_string(count) + " in all");
+  const std::int64_t needed = static_cast<std::int64_t>(perComponent) * components;
+  if (needed > count)
+    throw Error(ErrorCode::kInvalidArgument,
+                std::to_string(perComponent) + " per component, of which the mesh has " +
+                    std::to_string(components) + ", makes " + std::to_string(needed) +
+                    " sites, more than the " + std::to_string(count) + " in all");
   points = allOnMesh(mesh, points, "point ");
   std::vector<int> counts = countPerComponent(mesh, points);
   const std::vector<SurfacePoint> missing = drawMissing(mesh, counts, perComponent, seed);
