@@ -181,6 +181,31 @@ suite('files', () => {
     await own.close();
   });
 
+  test('welding is offered where triangles are apart by a hair', async () => {
+    const { positions, indices } = octahedron();
+    const torn = {
+      positions: indices.flatMap((v, i) =>
+        positions.slice(3 * v, 3 * v + 3).map((x) => x + 1e-7 * (i % 3)),
+      ),
+      indices: indices.map((_, i) => i),
+    };
+    const own = await browser.open();
+    await own.settled();
+    const components = () => own.evaluate(({ info }) => info.components);
+    await own.after('diagram', () =>
+      own.page.setInputFiles('#files', [
+        { name: 'torn.glb', mimeType: '', buffer: Buffer.from(glb(torn)) },
+      ]),
+    );
+    assert.equal(await components(), 8);
+    await own.after('diagram', () => own.page.getByText('Weld them').click());
+    assert.equal(await components(), 1);
+    assert.equal(await own.page.locator('#weld').inputValue(), '1e-6');
+    assert.equal(await own.page.locator('#note').getByText('by a hair').isVisible(), false);
+    assert.deepEqual(own.complaints, []);
+    await own.close();
+  });
+
   test('finer triangles are offered where regions are wrong', async () => {
     const own = await browser.open({ hash: '#v=1&model=bunny.ply&sites=5&seed=7' });
     await own.settled();

@@ -20,9 +20,14 @@ export function setUpMeshReport(viewer: GeodesicVoronoiElement): void {
     repairs.replaceChildren(...sentencesOf(info).map((sentence) => cell('span', sentence)));
     const { orientationCuts, nonManifoldEdges } = info.repairs;
     const cuts = orientationCuts + nonManifoldEdges;
-    if (cuts > 0 || info.hasOpenSeams) {
+    if (info.hasOpenSeams) {
       showNote(
-        `This model is cut along ${cuts > 0 ? counted(cuts, 'edge') : 'seams'} where its triangles do not fit together: ` +
+        'Some triangles of this model are apart by a hair: distances lead around the gaps.',
+        { title: 'Weld them', act: () => viewer.setAttribute('weld', '1e-6') },
+      );
+    } else if (cuts > 0) {
+      showNote(
+        `This model is cut along ${counted(cuts, 'edge')} where its triangles do not fit together: ` +
           'distances lead around the cuts. “Model”, in the controls, tells more.',
       );
     }
