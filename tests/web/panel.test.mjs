@@ -253,6 +253,13 @@ suite('the panel', () => {
     const link = await clipboard();
     assert.equal(link, await viewer.page.inputValue('#share-link'));
     assert.match(link, /#v=1&model=bunny\.ply/);
+    const said = await viewer.page.evaluate(async () => {
+      const button = document.querySelector('#copy-link');
+      button.click(); // once more while it says so
+      await new Promise((resolve) => setTimeout(resolve, 2000));
+      return button.textContent;
+    });
+    assert.equal(said, 'Copy');
     for (const [form, pattern] of [
       ['script', /^import \{ load \}/],
       ['element', /^<geodesic-voronoi src="http:.*\/samples\/bunny\.ply"/],

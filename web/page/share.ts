@@ -45,7 +45,6 @@ export function setUpShare(viewer: GeodesicVoronoiElement): void {
 
 function copyOnClick(id: string, text: () => string): void {
   const button = onClick(id, async () => {
-    const title = button.textContent;
     try {
       await navigator.clipboard.writeText(text());
       button.textContent = 'Copied';
@@ -56,4 +55,5 @@ function copyOnClick(id: string, text: () => string): void {
       button.textContent = title;
     }, 1500);
   });
+  const title = button.textContent;
 }
