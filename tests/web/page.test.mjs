@@ -603,6 +603,16 @@ suite('the page', () => {
     // The pictures were taken without the dual, which comes back now.
     const reason = /no valid mesh of the surface: regions 0, 1 and 2/;
     await viewer.page.locator('#dual-note:visible', { hasText: reason }).waitFor();
+    await viewer.after('diagram', () =>
+      viewer.evaluate((viewer) => {
+        document.querySelector('#repair').click();
+        viewer.sampleSites(2);
+      }),
+    );
+    await viewer.page.locator('#repair:enabled').waitFor({ state: 'attached' });
+    assert.equal(await viewer.page.locator('#error').isVisible(), false, 'its diagram is gone');
+    await viewer.after('diagram', () => viewer.page.click('#undo'));
+    await viewer.page.locator('#dual-note:visible', { hasText: reason }).waitFor();
     const valid = await viewer.after('dual', () => viewer.page.click('#repair'));
     assert.deepEqual(valid.violations, []);
     assert.ok((await viewer.siteCount()) > 3);

@@ -4,8 +4,7 @@
 
 import type { Violation } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
-import { sentence } from '../viewer/failure.js';
-import { showError } from './feedback.js';
+import { showFailure } from './feedback.js';
 import { counted } from './numbers.js';
 import { isSame } from './same_sites.js';
 
@@ -25,6 +24,6 @@ export async function repairDual(viewer: GeodesicVoronoiElement): Promise<void> 
     if (diagram === viewer.diagram && isSame(sites, viewer.sites)) viewer.sites = valid.sites;
     if (valid !== diagram) valid.dispose();
   } catch (error) {
-    showError(sentence('Sites cannot be added', error).message);
+    showFailure('Sites cannot be added', error);
   }
 }
