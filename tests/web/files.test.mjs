@@ -207,15 +207,23 @@ suite('files', () => {
   });
 
   test('finer triangles are offered where regions are wrong', async () => {
-    const own = await browser.open({ hash: '#v=1&model=bunny.ply&sites=5&seed=7' });
+    const plate = {
+      positions: [0, 0.02].flatMap((z) => [0, 0, z, 1, 0, z, 1, 1, z, 0, 1, z]),
+      indices: [
+        ...[0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4],
+        ...[1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6, 3, 0, 4, 3, 4, 7],
+      ],
+    };
+    const own = await browser.open({ hash: '#v=1&model=bunny.ply&sites=4&seed=4' });
     await own.settled();
-    const file = { name: 'mine.glb', mimeType: '', buffer: Buffer.from(glb(octahedron())) };
+    const file = { name: 'mine.glb', mimeType: '', buffer: Buffer.from(glb(plate)) };
     await own.page.setInputFiles('#files', [file]);
     const note = own.page.locator('#note').filter({ hasText: 'lies in the wrong region' });
     await note.waitFor();
+    assert.match(await note.textContent(), / about \d0 % of the area /);
     await own.after('diagram', () => own.page.getByText('Finer triangles').click());
     assert.ok((await own.evaluate(({ info }) => info.faces)) > 100);
-    assert.match(await own.page.locator('#repairs').textContent(), /8 triangles became/);
+    assert.match(await own.page.locator('#repairs').textContent(), /12 triangles became/);
     assert.ok(Number(await own.page.locator('#max-edge').inputValue()) > 0);
     assert.equal(await note.isVisible(), false);
     await own.evaluate((element) => {

@@ -172,7 +172,7 @@ async function offerFinerTriangles(viewer: GeodesicVoronoiElement): Promise<void
   const { mislabelled, maxEdge } = accuracy;
   showNoteOnSites(
     viewer,
-    `The triangles are coarse: about ${(100 * mislabelled).toPrecision(1)} % of the area lies in the wrong region.`,
+    `The triangles are coarse: about ${Number((100 * mislabelled).toPrecision(1))} % of the area lies in the wrong region.`,
     {
       title: 'Finer triangles',
       act: () => {
