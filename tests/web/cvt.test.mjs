@@ -249,6 +249,27 @@ suite('the centroidal tessellation', () => {
     await press('#density-paint');
   });
 
+  test('a stroke that another model ends is not one on that', async () => {
+    const own = await browser.open();
+    await own.settled();
+    const { x, y } = await own.freePlace();
+    await own.evaluate((viewer) => viewer.setAttribute('tool', 'density'));
+    await own.page.mouse.move(x, y);
+    await own.page.mouse.down();
+    await own.page.mouse.move(x + 8, y);
+    await own.after('diagram', () => own.evaluate((viewer) => viewer.load('./samples/torus.glb')));
+    await own.page.mouse.up();
+    const density = () => own.evaluate(({ density }) => density && [...density].length);
+    assert.equal(await density(), undefined);
+    await own.evaluate((viewer) => {
+      viewer.density = new Float64Array(viewer.info.inputVertices).fill(10);
+      viewer.undo();
+    });
+    assert.equal(await density(), undefined);
+    assert.deepEqual(own.complaints, []);
+    await own.close();
+  });
+
   test('a density has a legend where it is seen', async () => {
     const legend = viewer.page.locator('geodesic-voronoi [part=density]');
     assert.equal(await legend.isVisible(), false);

@@ -170,6 +170,12 @@ suite('first sight', () => {
       assert.equal(await viewer.page.locator(id).isDisabled(), true, id);
     }
     assert.equal(await viewer.page.locator('#samples').textContent(), 'None');
+    // Above the message.
+    await viewer.page.mouse.move(100, 100);
+    await viewer.page.mouse.wheel(0, 100);
+    await viewer.page.mouse.click(110, 100);
+    const exceptions = viewer.complaints.filter((each) => each.startsWith('TypeError'));
+    assert.deepEqual(exceptions, [], 'nothing listens on the empty view');
     await viewer.close();
   });
 

@@ -294,7 +294,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
    * the view's corner; undefined for those that the surface hides.
    */
   project(positions: ArrayLike<number>): ({ x: number; y: number } | undefined)[] {
-    return this.#viewer?.project(positions) ?? [];
+    return this.#viewer?.model?.project(positions, this.#viewer.stage) ?? [];
   }
 
   /** Moves the camera so that the model fills the view. */

@@ -3,7 +3,7 @@
 // The model that is open, with all that the viewer has of it.
 
 import type { DiagramData } from 'geodesic-voronoi';
-import type { Camera } from 'three';
+import { type Camera, Vector3 } from 'three';
 import { DensityPaint } from './density_paint.js';
 import type { PreparedDiagram } from './diagram_geometry.js';
 import { DiagramSummary } from './diagram_summary.js';
@@ -13,6 +13,7 @@ import { ModelDrawing } from './model_drawing.js';
 import type { NamedFiles } from './model_files.js';
 import { Picker } from './picking.js';
 import type { Sites } from './site_history.js';
+import type { Stage } from './stage.js';
 import type { Theme } from './theme.js';
 
 /** The viewer's data of an open model: its drawing and everything that the tools need. */
@@ -51,6 +52,19 @@ export class OpenModel {
     return (
       drawing.sites.isTurnedAway(index, camera) || picker.hides(drawing.sites.place(index), camera)
     );
+  }
+
+  /** See `GeodesicVoronoiElement.project`. */
+  project(positions: ArrayLike<number>, stage: Stage): ({ x: number; y: number } | undefined)[] {
+    const places = this.drawing.mesh.frame.toScene(positions);
+    const toClient = stage.projection();
+    const { left, top } = stage.canvas.getBoundingClientRect();
+    return Array.from({ length: places.length / 3 }, (_, i) => {
+      const place = new Vector3().fromArray(places, 3 * i);
+      const client = toClient(place);
+      if (!client || this.picker.hides(place, stage.camera)) return undefined;
+      return { x: client.x - left, y: client.y - top };
+    });
   }
 
   dispose(): void {

@@ -47,11 +47,12 @@ export class SharedRenderer {
   readonly #size = new Vector2();
   readonly #users = new Set<ContextListener>();
 
-  /** Throws if there is no WebGL 2. */
-  static take(user: ContextListener): SharedRenderer {
-    present ??= new SharedRenderer();
-    present.#users.add(user);
-    return present;
+  /** The renderer, until the signal ends its use. Throws if there is no WebGL 2. */
+  static take(user: ContextListener, signal: AbortSignal): SharedRenderer {
+    const renderer = (present ??= new SharedRenderer());
+    renderer.#users.add(user);
+    signal.addEventListener('abort', () => renderer.#release(user));
+    return renderer;
   }
 
   private constructor() {
@@ -138,7 +139,7 @@ export class SharedRenderer {
     return true;
   }
 
-  return(user: ContextListener): void {
+  #release(user: ContextListener): void {
     this.#users.delete(user);
     if (this.#users.size > 0) return;
     present = undefined;

@@ -18,7 +18,7 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { CameraOrbit } from './camera_orbit.js';
 import { type Framing, framingOf } from './framing.js';
 import type { DrawnPixels } from './picture_file.js';
-import { type ContextListener, type Picture, SharedRenderer } from './shared_renderer.js';
+import type { Picture, SharedRenderer } from './shared_renderer.js';
 import type { Padding } from './view_padding.js';
 
 const fieldOfView = 32;
@@ -37,10 +37,6 @@ const axes: Readonly<Record<UpAxis, Vector3>> = {
   z: new Vector3(0, 0, 1),
 };
 
-export interface StageListener extends ContextListener {
-  cameraMoved(): void;
-}
-
 /**
  * The scene with its camera, lights and controls on one canvas. It draws only when something
  * changed and is in view. Its content lies within the unit sphere (`ModelFrame`), or within
@@ -50,10 +46,9 @@ export class Stage {
   readonly camera = new PerspectiveCamera(fieldOfView, 1, 0.01, 10);
   readonly canvas: HTMLCanvasElement;
   readonly #renderer: SharedRenderer;
-  readonly #contextListener: ContextListener;
   readonly #picture: CanvasRenderingContext2D;
   readonly #scene = new Scene();
-  readonly #listener: StageListener;
+  readonly #cameraMoved: () => void;
   /** The rotation from a scene whose y axis points up to this one. */
   readonly #upright = new Quaternion();
   #controls: OrbitControls;
@@ -72,18 +67,10 @@ export class Stage {
   #isInView = true;
   #isOutdated = false;
 
-  /** Throws if there is no WebGL 2. */
-  constructor(canvas: HTMLCanvasElement, listener: StageListener) {
+  constructor(canvas: HTMLCanvasElement, renderer: SharedRenderer, cameraMoved: () => void) {
     this.canvas = canvas;
-    this.#listener = listener;
-    this.#contextListener = {
-      contextLost: () => listener.contextLost(),
-      contextRestored: () => {
-        listener.contextRestored();
-        this.invalidate();
-      },
-    };
-    this.#renderer = SharedRenderer.take(this.#contextListener);
+    this.#renderer = renderer;
+    this.#cameraMoved = cameraMoved;
     this.#picture = canvas.getContext('2d') as CanvasRenderingContext2D;
     this.#scene.add(this.camera);
     this.#addLights();
@@ -271,7 +258,7 @@ export class Stage {
     const depth = this.#depthOf(this.#controls.target);
     const depthOfMiddle = this.#depthOf(middle);
     if (depthOfMiddle > depth && depthOfMiddle < 2 * depth) this.#lookAsFarAs(middle);
-    this.#listener.cameraMoved();
+    this.#cameraMoved();
   }
 
   /** Looks in the same direction, at a point as deep in the view as this place. */
@@ -332,7 +319,6 @@ export class Stage {
   dispose(): void {
     cancelAnimationFrame(this.#drawing);
     this.#controls.dispose();
-    this.#renderer.return(this.#contextListener);
   }
 
   /** The camera's place around its target, as if y pointed up. */
@@ -360,7 +346,7 @@ export class Stage {
     controls.addEventListener('change', () => {
       this.#isFramed = false;
       this.camera.updateMatrixWorld();
-      this.#listener.cameraMoved();
+      this.#cameraMoved();
       this.invalidate();
     });
     controls.addEventListener('end', () => this.#endApproach());

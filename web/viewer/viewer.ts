@@ -22,7 +22,7 @@ import { Session } from './session.js';
 import type { Drawable, SessionListener } from './session_listener.js';
 import { drawnDiagram, factsOf, type ShownDiagram } from './shown_diagram.js';
 import { type SitePlace, type Sites, surfacePointsOf } from './site_history.js';
-import type { ContextListener } from './shared_renderer.js';
+import { type ContextListener, SharedRenderer } from './shared_renderer.js';
 import { Stage } from './stage.js';
 import { SurfaceTools, type Workpiece } from './surface_tools.js';
 import { themeOf, watchTheme } from './theme.js';
@@ -69,21 +69,29 @@ export class Viewer implements Workpiece {
 
   /** Throws if there is no WebGL 2. */
   constructor(canvas: HTMLCanvasElement, host: ViewerHost) {
+    const { signal } = this.#watching;
+    // Taken before anything listens on the canvas, because it throws if there is no WebGL 2.
+    const renderer = SharedRenderer.take(
+      {
+        contextLost: () => host.contextLost(),
+        contextRestored: () => {
+          host.contextRestored();
+          this.stage.invalidate();
+        },
+      },
+      signal,
+    );
     this.attributes = host.attributes;
     this.#emit = (type, detail) => {
-      if (!this.#watching.signal.aborted) host.emit(type, detail);
+      if (!signal.aborted) host.emit(type, detail);
     };
     this.hint = host.hint;
     this.tools = new SurfaceTools(this);
     this.#gestures = new PointerGestures(canvas, this.tools);
     this.scrolling = new PageScrolling(canvas, () => this.attributes.touchAction, this.hint);
-    this.stage = new Stage(canvas, {
-      contextLost: () => host.contextLost(),
-      contextRestored: () => host.contextRestored(),
-      cameraMoved: () => {
-        this.tools.follow();
-        this.#emit('camera-change', { orbit: formatCameraOrbit(this.stage.cameraOrbit) });
-      },
+    this.stage = new Stage(canvas, renderer, () => {
+      this.tools.follow();
+      this.#emit('camera-change', { orbit: formatCameraOrbit(this.stage.cameraOrbit) });
     });
     this.stage.up = this.attributes.up;
     this.legend = new Legend(canvas.getRootNode() as ShadowRoot);
@@ -106,7 +114,7 @@ export class Viewer implements Workpiece {
       event.preventDefault();
       perform(command, this);
     });
-    watchTheme(() => this.#adoptTheme(), this.#watching.signal);
+    watchTheme(() => this.#adoptTheme(), signal);
     this.configure();
   }
 
@@ -235,21 +243,6 @@ export class Viewer implements Workpiece {
     return client && !this.#model.hidesSite(index, this.stage.camera) ? client : undefined;
   }
 
-  /** See `GeodesicVoronoiElement.project`. */
-  project(positions: ArrayLike<number>): ({ x: number; y: number } | undefined)[] {
-    if (!this.#model) return [];
-    const { drawing, picker } = this.#model;
-    const places = drawing.mesh.frame.toScene(positions);
-    const toClient = this.stage.projection();
-    const { left, top } = this.stage.canvas.getBoundingClientRect();
-    return Array.from({ length: places.length / 3 }, (_, i) => {
-      const place = new Vector3().fromArray(places, 3 * i);
-      const client = toClient(place);
-      if (!client || picker.hides(place, this.stage.camera)) return undefined;
-      return { x: client.x - left, y: client.y - top };
-    });
-  }
-
   /** The pixels of the view, `scale` times as large, without the mark of the selected site. */
   picture(scale: number): Promise<DrawnPixels> {
     const sites = this.#model?.drawing.sites;
@@ -262,6 +255,7 @@ export class Viewer implements Workpiece {
   }
 
   recordDensity(): void {
+    if (!this.#model) return;
     this.edit(() => {
       this.session.recordDensity(this.#model?.paint.tints?.slice());
       this.#adoptDensity();
@@ -363,11 +357,13 @@ export class Viewer implements Workpiece {
   }
 
   #showModel(opened: OpenedMesh): void {
+    const before = this.#model;
+    this.#model = undefined; // a stroke on it that ends here paints nothing
     this.#gestures.cancel();
     this.hover.moveTo(undefined);
-    if (this.#model) {
-      this.stage.remove(this.#model.drawing.object);
-      this.#model.dispose();
+    if (before) {
+      this.stage.remove(before.drawing.object);
+      before.dispose();
     }
     this.#model = new OpenModel(opened, themeOf(this.stage.canvas));
     this.#model.paint.tints = opened.tints;
