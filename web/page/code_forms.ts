@@ -3,6 +3,7 @@
 // Code that makes the shown diagram elsewhere: a script, a page, a command.
 
 import type { Sampling, SurfacePoints } from 'geodesic-voronoi';
+import { attributeDefaults, attributeOf, buildAttributes } from '../viewer/attribute_defaults.js';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { listen } from './dom.js';
 import { downloadName } from './downloads.js';
@@ -20,10 +21,7 @@ export function watchOrigin(viewer: GeodesicVoronoiElement): () => Promise<Origi
   let first = viewer.sites;
   let iterations = 0;
   let settings = '';
-  const present = () => {
-    const { method, metric } = settingsOf(viewer);
-    return `${method} ${metric}`;
-  };
+  const present = () => `${attributeOf(viewer, 'cvt-method')} ${attributeOf(viewer, 'metric')}`;
   listen(viewer, 'cvt-iteration', ({ iteration }) => {
     iterations = iteration;
     if (iteration > 0) return;
@@ -34,7 +32,7 @@ export function watchOrigin(viewer: GeodesicVoronoiElement): () => Promise<Origi
     if (viewer.cvtStatus === 'idle')
       return (await areSampled(viewer, viewer.sites)) ? 'sampled' : 'edited';
     const isRepeatable =
-      iterations === Number(settingsOf(viewer).iterations) &&
+      iterations === Number(attributeOf(viewer, 'cvt-iterations')) &&
       settings === present() &&
       viewer.density === undefined;
     return isRepeatable && (await areSampled(viewer, first)) ? 'even' : 'edited';
@@ -42,12 +40,12 @@ export function watchOrigin(viewer: GeodesicVoronoiElement): () => Promise<Origi
 }
 
 async function areSampled(viewer: GeodesicVoronoiElement, sites: SurfacePoints): Promise<boolean> {
-  const { count, seed, sampling, perComponent } = settingsOf(viewer);
+  const number = (name: string) => Number(attributeOf(viewer, name));
   const sampled = await viewer.mesh
-    ?.sampleSites(Number(count), {
-      seed: Number(seed),
-      sampling: sampling as Sampling,
-      perComponent: Number(perComponent),
+    ?.sampleSites(number('sites'), {
+      seed: number('seed'),
+      sampling: attributeOf(viewer, 'sampling') as Sampling,
+      perComponent: number('per-component'),
     })
     // Fails if there are fewer sites than that takes.
     .catch(() => undefined);
@@ -62,6 +60,15 @@ interface CodeModel {
   address?: string | undefined;
 }
 
+/** What code is made of. */
+interface Recipe {
+  viewer: GeodesicVoronoiElement;
+  model: CodeModel;
+  origin: Origin;
+  /** The name of the file that sites are downloaded to. */
+  sitesFile: string;
+}
+
 /**
  * The code of a script, a page or a command that makes the shown diagram. It runs as it is, next to
  * the files that its first line names.
@@ -73,6 +80,7 @@ export function codeOf(
   form: string,
 ): string {
   const sitesFile = downloadName(model.name, 'sites', 'json');
+  const recipe = { viewer, model, origin, sitesFile };
   const needs = [
     ...(model.address ? [] : [model.name]),
     ...(origin === 'edited' ? [`${sitesFile} (Download, Sites)`] : []),
@@ -81,18 +89,15 @@ export function codeOf(
   switch (form) {
     case 'element':
       // A name with an arrow would end the comment.
-      return joined(
-        needed && `<!-- ${needed.replace(/>/g, '&gt;')} -->`,
-        elementOf(viewer, model, origin, sitesFile),
-      );
+      return joined(needed && `<!-- ${needed.replace(/>/g, '&gt;')} -->`, elementOf(recipe));
     case 'command':
       return joined(
         needed && `# ${needed}`,
         model.address && `curl -LO '${addressOf(model)}'`,
-        commandOf(viewer, model, origin, sitesFile),
+        commandOf(recipe),
       );
     default:
-      return joined(needed && `// ${needed}`, scriptOf(viewer, model, origin, sitesFile));
+      return joined(needed && `// ${needed}`, scriptOf(recipe));
   }
 }
 
@@ -100,54 +105,31 @@ function joined(...lines: (string | undefined)[]): string {
   return lines.filter(Boolean).join('\n');
 }
 
-/** The values of the library, or of the element, where code does not give them. */
-const defaultMethod = 'lbfgs';
-const defaultIterations = '50';
-
-/** The settings, from the attributes of the page's viewer. */
-function settingsOf(viewer: GeodesicVoronoiElement) {
-  const value = (name: string, otherwise: string) => viewer.getAttribute(name) ?? otherwise;
-  return {
-    count: value('sites', '0'),
-    seed: value('seed', '1'),
-    sampling: value('sampling', 'random'),
-    perComponent: value('per-component', '0'),
-    maxEdge: value('max-edge', '0'),
-    weld: value('weld', '0'),
-    orientation: value('orientation', 'unify'),
-    minComponent: value('min-component', '0'),
-    metric: value('metric', 'exact'),
-    detail: value('detail', '0'),
-    method: value('cvt-method', defaultMethod),
-    iterations: value('cvt-iterations', defaultIterations),
-  };
+/** Those of some attributes that are not at their defaults, with their values. */
+function changed(
+  viewer: GeodesicVoronoiElement,
+  names: readonly string[],
+): [name: string, value: string][] {
+  return names
+    .map((name): [string, string] => [name, attributeOf(viewer, name)])
+    .filter(([name, value]) => value !== attributeDefaults[name]);
 }
 
-/** The settings that differ from the defaults, by their names in each form of code. */
-function changed(viewer: GeodesicVoronoiElement) {
-  const { perComponent, maxEdge, weld, orientation, minComponent } = settingsOf(viewer);
-  const isGiven = ([, value]: string[]) => value !== '0' && value !== 'unify';
-  const build = [
-    ['max-edge', maxEdge],
-    ['weld', weld],
-    ['orientation', orientation],
-    ['min-component', minComponent],
-  ].filter(isGiven);
-  const attributes = [...build, ['per-component', perComponent]].filter(isGiven);
-  const shown = (value: string) => (Number.isNaN(Number(value)) ? `'${value}'` : value);
+/** Attributes as HTML. */
+function html(attributes: readonly [name: string, value: string][]): string {
+  return attributes.map(([name, value]) => ` ${name}="${value}"`).join('');
+}
+
+/** Attributes as options of the command, which are called so, too, but for a prefix. */
+function flags(attributes: readonly [name: string, value: string][]): string {
+  return attributes.map(([name, value]) => ` --${name.replace('cvt-', '')} ${value}`).join('');
+}
+
+/** Attributes as options of the library, in an object. */
+function options(attributes: readonly [name: string, value: string][]): string[] {
   const camel = (name: string) => name.replace(/-(.)/, (_, letter) => letter.toUpperCase());
-  return {
-    html: attributes.map(([name, value]) => ` ${name}="${value}"`).join(''),
-    flags: (names: readonly string[][]) =>
-      names.map(([name, value]) => ` --${name} ${value}`).join(''),
-    meshOptions:
-      build.length > 0
-        ? `, { ${build.map(([name, value]) => `${camel(name)}: ${shown(value)}`).join(', ')} }`
-        : '',
-    siteOptions: perComponent === '0' ? '' : `, perComponent: ${perComponent}`,
-    build,
-    attributes,
-  };
+  const shown = (value: string) => (Number.isNaN(Number(value)) ? `'${value}'` : value);
+  return attributes.map(([name, value]) => `${camel(name.replace('cvt-', ''))}: ${shown(value)}`);
 }
 
 /** How the model is looked at, by the attributes of the element. */
@@ -163,21 +145,25 @@ function addressOf({ name, address = encodeURIComponent(name) }: CodeModel): str
   return address.replace(/['&]/g, (c) => `%${c.charCodeAt(0).toString(16)}`);
 }
 
-function scriptOf(
-  viewer: GeodesicVoronoiElement,
-  model: CodeModel,
-  origin: Origin,
-  sitesFile: string,
-): string {
-  const { count, seed, sampling, metric, detail, method, iterations } = settingsOf(viewer);
-  const { meshOptions, siteOptions } = changed(viewer);
-  const ofMethod = method === defaultMethod ? '' : `, method: '${method}'`;
-  const sampled = `await mesh.sampleSites(${count}, { seed: ${seed}, sampling: '${sampling}'${siteOptions} })`;
-  const sites: Record<Origin, readonly string[]> = {
+function scriptOf({ viewer, model, origin, sitesFile }: Recipe): string {
+  const [sites, seed, sampling, metric, detail, iterations] = [
+    ...['sites', 'seed', 'sampling', 'metric', 'detail', 'cvt-iterations'],
+  ].map((name) => attributeOf(viewer, name));
+  const meshOptions = options(changed(viewer, buildAttributes));
+  const siteOptions = [
+    ...[`seed: ${seed}`, `sampling: '${sampling}'`],
+    ...options(changed(viewer, ['per-component'])),
+  ];
+  const cvtOptions = [
+    ...[`iterations: ${iterations}`, `metric: '${metric}'`],
+    ...options(changed(viewer, ['cvt-method'])),
+  ];
+  const sampled = `await mesh.sampleSites(${sites}, { ${siteOptions.join(', ')} })`;
+  const placing: Record<Origin, readonly string[]> = {
     sampled: [`const sites = ${sampled};`],
     even: [
       `let sites = ${sampled};`,
-      `const settings = { iterations: ${iterations}, metric: '${metric}'${ofMethod} };`,
+      `const settings = { ${cvtOptions.join(', ')} };`,
       'for await (const state of mesh.cvt(sites, settings)) sites = state.sites;',
     ],
     edited: [`const sites = await (await fetch('${addressOf({ name: sitesFile })}')).json();`],
@@ -187,67 +173,53 @@ function scriptOf(
     '',
     'const library = await load();',
     `const bytes = await (await fetch('${addressOf(model)}')).arrayBuffer();`,
-    `const mesh = await library.mesh(new Uint8Array(bytes)${meshOptions});`,
-    ...sites[origin],
+    `const mesh = await library.mesh(new Uint8Array(bytes)${meshOptions.length > 0 ? `, { ${meshOptions.join(', ')} }` : ''});`,
+    ...placing[origin],
     `const diagram = await mesh.voronoi(sites, { metric: '${metric}', detail: ${detail} });`,
   ].join('\n');
 }
 
-function elementOf(
-  viewer: GeodesicVoronoiElement,
-  model: CodeModel,
-  origin: Origin,
-  sitesFile: string,
-): string {
-  const { count, seed, sampling, metric, detail, method, iterations } = settingsOf(viewer);
+function elementOf({ viewer, model, origin, sitesFile }: Recipe): string {
   const name = 'geodesic-voronoi';
-  const ofCvt =
-    (iterations === defaultIterations ? '' : ` cvt-iterations="${iterations}"`) +
-    (method === defaultMethod ? '' : ` cvt-method="${method}"`);
-  const { html } = changed(viewer);
-  const view = viewOf(viewer).map(([name, value]) => ` ${name}="${value}"`);
+  const given = (...names: string[]) =>
+    html(names.map((attribute) => [attribute, attributeOf(viewer, attribute)]));
+  const cvtNames = origin === 'even' ? ['cvt-iterations', 'cvt-method'] : [];
   const after: Record<Origin, readonly string[]> = {
     sampled: [],
     even: ["  viewer.addEventListener('diagram', () => viewer.playCvt(), { once: true });"],
-    edited: [`  viewer.sites = await (await fetch('${addressOf({ name: sitesFile })}')).json();`],
+    edited: [
+      "  await new Promise((resolve) => viewer.addEventListener('load', resolve, { once: true }));",
+      `  viewer.sites = await (await fetch('${addressOf({ name: sitesFile })}')).json();`,
+    ],
   };
   return [
-    `<${name} src="${addressOf(model)}" sites="${count}" seed="${seed}"`,
-    `  sampling="${sampling}" metric="${metric}" detail="${detail}"${html}${origin === 'even' ? ofCvt : ''}`,
-    ` ${view.join('')}></${name}>`,
+    `<${name} src="${addressOf(model)}"${given('sites', 'seed')}`,
+    ` ${given('sampling', 'metric', 'detail')}${html(changed(viewer, [...buildAttributes, 'per-component', ...cvtNames]))}`,
+    ` ${html(viewOf(viewer))}></${name}>`,
     '<script type="module">',
     "  import 'geodesic-voronoi/element';",
     ...(origin === 'sampled' ? [] : [`  const viewer = document.querySelector('${name}');`]),
-    ...(origin === 'edited'
-      ? [
-          "  await new Promise((resolve) => viewer.addEventListener('load', resolve, { once: true }));",
-        ]
-      : []),
     ...after[origin],
     '</script>',
   ].join('\n');
 }
 
-function commandOf(
-  viewer: GeodesicVoronoiElement,
-  { name }: CodeModel,
-  origin: Origin,
-  sitesFile: string,
-): string {
-  const { count, seed, sampling, metric, detail, method, iterations } = settingsOf(viewer);
-  const ofMethod = method === defaultMethod ? '' : ` --method ${method}`;
-  const { build, attributes, flags } = changed(viewer);
+function commandOf({ viewer, model: { name }, origin, sitesFile }: Recipe): string {
+  const given = (...names: string[]) =>
+    flags(names.map((attribute) => [attribute, attributeOf(viewer, attribute)]));
+  const build = changed(viewer, buildAttributes);
   const sites =
     origin === 'edited'
-      ? `--sites ${quoted(sitesFile)}${flags(build)}`
-      : `--sites ${count} --seed ${seed} --sampling ${sampling}${flags(attributes)}`;
+      ? ` --sites ${quoted(sitesFile)}${flags(build)}`
+      : given('sites', 'seed', 'sampling') +
+        flags([...build, ...changed(viewer, ['per-component'])]);
   const isEven = origin === 'even';
   return [
     `geodesic-voronoi ${isEven ? 'cvt' : 'diagram'} ${quoted(name)} \\`,
-    `  ${sites} \\`,
+    ` ${sites} \\`,
     isEven
-      ? `  --metric ${metric} --iterations ${iterations}${ofMethod} -o sites.json`
-      : `  --metric ${metric} --detail ${detail} -o diagram.json`,
+      ? ` ${given('metric', 'cvt-iterations')}${flags(changed(viewer, ['cvt-method']))} -o sites.json`
+      : ` ${given('metric', 'detail')} -o diagram.json`,
   ].join('\n');
 }
 

@@ -2,6 +2,7 @@
 //
 // The panel's readings of a centroidal tessellation: its state, energy and moves.
 
+import { attributeOf } from '../viewer/attribute_defaults.js';
 import type { CvtIteration, CvtStatus, GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId } from './dom.js';
 import { EnergyCurve } from './energy_curve.js';
@@ -46,8 +47,8 @@ export class CvtReadings {
   }
 
   #sentence(status: CvtStatus): string {
-    const tolerance = Number(this.#viewer.getAttribute('cvt-tolerance') ?? 0);
-    const planned = Number(this.#viewer.getAttribute('cvt-iterations'));
+    const tolerance = Number(attributeOf(this.#viewer, 'cvt-tolerance'));
+    const planned = Number(attributeOf(this.#viewer, 'cvt-iterations'));
     switch (status) {
       case 'idle':
         return 'Not begun';

@@ -3,6 +3,7 @@
 // The opening of the page: a model whose random regions become even ones, once.
 
 import type { CvtState } from 'geodesic-voronoi';
+import { attributeOf } from '../viewer/attribute_defaults.js';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { hexagonEnergy } from '../viewer/hexagon_energy.js';
 import type { CvtReadings } from './cvt_readings.js';
@@ -66,7 +67,7 @@ async function evenOut(viewer: GeodesicVoronoiElement, readings: CvtReadings): P
   }
   const { mesh, sites } = viewer;
   if (!mesh) return;
-  const iterations = Number(viewer.getAttribute('cvt-iterations'));
+  const iterations = Number(attributeOf(viewer, 'cvt-iterations'));
   const states: CvtState[] = [];
   for await (const state of mesh.cvt(sites, { iterations })) states.push(state);
   const last = states.at(-1);

@@ -4,7 +4,7 @@
 // where they are, the distance, and the view.
 
 import type { SurfacePoints } from 'geodesic-voronoi';
-import { buildAttributes } from '../viewer/attributes.js';
+import { buildAttributes, samplingAttributes } from '../viewer/attribute_defaults.js';
 import type { GeodesicVoronoiElement, ViewerEvents } from '../viewer/element.js';
 import { lastSegment } from '../viewer/model_files.js';
 import { byId } from './dom.js';
@@ -21,12 +21,12 @@ const bytesPerSite = 8;
 
 /** The viewer's attributes that a link keeps. */
 export const linkAttributes = [
-  ...['sites', 'seed', 'sampling', 'per-component', ...buildAttributes],
+  ...[...samplingAttributes, ...buildAttributes],
   ...['metric', 'detail', 'up', 'layers', 'exploded', 'camera-orbit'],
-] as const;
+];
 
 /** Those that are about one model: the next one begins without them. */
-export const ofOneModel = [...buildAttributes, 'detail', 'up', 'exploded', 'camera-orbit'] as const;
+export const ofOneModel = [...buildAttributes, 'detail', 'up', 'exploded', 'camera-orbit'];
 
 /** Whether an address's hash is one that `pageState` wrote. */
 export function isPageState(hash: string): boolean {
@@ -82,7 +82,7 @@ export function readPageState(viewer: GeodesicVoronoiElement, hash: string): voi
   const at = parameters.get('at');
   const model = parameters.get('model');
   // Until a reader's own file is opened, a sample is shown, to which these may not apply.
-  const ofFile: readonly string[] = model && !isSample(model) ? ofOneModel : [];
+  const ofFile = model && !isSample(model) ? ofOneModel : [];
   for (const name of linkAttributes) if (!ofFile.includes(name)) restore(name);
   const waiting = new AbortController();
   let endNote: (() => void) | undefined;

@@ -2,6 +2,7 @@
 //
 // The buttons on the view.
 
+import { attributeOf } from '../viewer/attribute_defaults.js';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, listen, onClick } from './dom.js';
 
@@ -26,7 +27,7 @@ function setUpHistory(viewer: GeodesicVoronoiElement): void {
 }
 
 function setUpAxis(viewer: GeodesicVoronoiElement): void {
-  const axis = () => viewer.getAttribute('up') ?? axes[0];
+  const axis = () => attributeOf(viewer, 'up');
   const button = onClick('up', () => {
     viewer.setAttribute('up', axes[(axes.indexOf(axis()) + 1) % axes.length]);
   });

@@ -3,6 +3,7 @@
 // The controls of the layers that are shown, and of the metric.
 
 import { mostMislabelled } from 'geodesic-voronoi';
+import { attributeOf } from '../viewer/attribute_defaults.js';
 import { type GeodesicVoronoiElement, type Layer, layers } from '../viewer/element.js';
 import { byId, listen, onClick } from './dom.js';
 import { hasNote, showNote, showNoteOnSites } from './feedback.js';
@@ -149,9 +150,9 @@ function setUpDistance(viewer: GeodesicVoronoiElement): void {
 
   // The viewer goes back to what it shows if the choice fails or is cancelled.
   const show = () => {
-    const metric = viewer.getAttribute('metric') ?? 'exact';
+    const metric = attributeOf(viewer, 'metric');
     for (const radio of radios) radio.checked = radio.value === metric;
-    detail.value = viewer.getAttribute('detail') ?? '0';
+    detail.value = attributeOf(viewer, 'detail');
   };
   show(); // A link may have set them.
   new MutationObserver(show).observe(viewer, { attributeFilter: ['metric', 'detail'] });
@@ -177,7 +178,7 @@ async function offerFinerTriangles(viewer: GeodesicVoronoiElement): Promise<void
       title: 'Finer triangles',
       act: () => {
         viewer.setAttribute('max-edge', String(maxEdge));
-        if (Number(viewer.getAttribute('detail')) === 0) viewer.setAttribute('detail', '1');
+        if (Number(attributeOf(viewer, 'detail')) === 0) viewer.setAttribute('detail', '1');
       },
     },
   );

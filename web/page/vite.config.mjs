@@ -78,6 +78,12 @@ const leaveOutOfThree = {
       ? "export const vertex = '', fragment = '';"
       : "export default '';";
   },
+  /** Shaders are texts, whose indentation and comments are left by what minifies scripts. */
+  transform(code, id) {
+    return /three\/src\/renderers\/shaders\//.test(id)
+      ? code.replace(/^\s*(\/\/.*\n\s*)*/gm, '')
+      : undefined;
+  },
 };
 
 export default defineConfig(({ isPreview }) => {

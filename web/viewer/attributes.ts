@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The values of the element's attributes, and their defaults.
+// The values of the element's attributes.
 
 import type { CvtMethod, Metric, Orientation, Sampling } from 'geodesic-voronoi';
+import { attributeDefaults, attributeOf } from './attribute_defaults.js';
 import { type CameraOrbit, parseCameraOrbit } from './camera_orbit.js';
 import type { CvtSettings } from './cvt_run.js';
 import type { Brush } from './density_paint.js';
@@ -11,17 +12,10 @@ import type { Opening, SiteSampling } from './mesh_opening.js';
 import type { DiagramSettings } from './shown_diagram.js';
 import type { UpAxis } from './stage.js';
 
-const defaultLayers: readonly Layer[] = ['regions', 'bisectors', 'sites'];
-
-/** How a model is made of its file. */
-export const buildAttributes = ['max-edge', 'weld', 'orientation', 'min-component'] as const;
-/** How sites are placed. */
-export const samplingAttributes = ['sites', 'seed', 'sampling', 'per-component'] as const;
-
 /** Attributes are read anew at each access, so values are never stale. */
 export class Attributes {
   readonly #element: HTMLElement;
-  /** The texts that what is shown was made by. */
+  /** The texts of the attributes by which the shown model and its sites were made. */
   readonly #kept = new Map<string, string | null>();
 
   constructor(element: HTMLElement) {
@@ -49,17 +43,17 @@ export class Attributes {
   }
 
   get label(): string {
-    return this.#text('alt') || 'A surface with its geodesic Voronoi diagram';
+    return this.#given('alt') || 'A surface with its geodesic Voronoi diagram';
   }
 
   /** Whether nothing is fetched, nor anything drawn, before the element is near the view. */
   get isLazy(): boolean {
-    return this.#text('loading') === 'lazy';
+    return this.#given('loading') === 'lazy';
   }
 
   /** Whether the poster stays until the page dismisses it. */
   get isRevealedByHand(): boolean {
-    return this.#text('reveal') === 'manual';
+    return this.#given('reveal') === 'manual';
   }
 
   /**
@@ -67,29 +61,27 @@ export class Attributes {
    * density.
    */
   get interactive(): { camera: boolean; edit: boolean } {
-    const text = this.#text('interactive');
+    const text = this.#given('interactive');
     return { camera: text !== 'none', edit: text !== 'none' && text !== 'camera' };
   }
 
   get touchAction(): string | undefined {
-    return this.#text('touch-action');
+    return this.#given('touch-action');
   }
 
   /** Undefined where it is none. */
   get cameraOrbit(): CameraOrbit | undefined {
-    return parseCameraOrbit(this.#text('camera-orbit') ?? '');
+    return parseCameraOrbit(this.#given('camera-orbit') ?? '');
   }
 
   get layers(): readonly Layer[] {
-    const names = this.#text('layers');
-    if (names === undefined) return defaultLayers;
-    const wanted = new Set(names.split(/\s+/));
+    const wanted = new Set(this.#text('layers').split(/\s+/));
     return layers.filter((layer) => wanted.has(layer));
   }
 
   /** 0 … 1. */
   get exploded(): number {
-    return Math.min(1, Math.max(0, this.#number('exploded', 0)));
+    return Math.min(1, Math.max(0, this.#number('exploded')));
   }
 
   get up(): UpAxis {
@@ -100,8 +92,8 @@ export class Attributes {
   get diagram(): DiagramSettings {
     return {
       // The library refuses unknown metrics, in a sentence that lists the known ones.
-      metric: (this.#text('metric') ?? 'exact') as Metric,
-      detail: this.#number('detail', 0),
+      metric: this.#text('metric') as Metric,
+      detail: this.#number('detail'),
     };
   }
 
@@ -109,10 +101,10 @@ export class Attributes {
     return {
       // The library refuses values that make no sense.
       build: {
-        maxEdge: this.#number('max-edge', 0),
-        weld: this.#number('weld', 0),
-        orientation: (this.#text('orientation') ?? 'unify') as Orientation,
-        minComponent: this.#number('min-component', 0),
+        maxEdge: this.#number('max-edge'),
+        weld: this.#number('weld'),
+        orientation: this.#text('orientation') as Orientation,
+        minComponent: this.#number('min-component'),
       },
       siteSampling: this.siteSampling,
     };
@@ -120,42 +112,47 @@ export class Attributes {
 
   get siteSampling(): SiteSampling {
     return {
-      count: this.#number('sites', 0),
-      seed: this.#number('seed', 1),
-      sampling: (this.#text('sampling') ?? 'random') as Sampling,
-      perComponent: this.#number('per-component', 0),
+      count: this.#number('sites'),
+      seed: this.#number('seed'),
+      sampling: this.#text('sampling') as Sampling,
+      perComponent: this.#number('per-component'),
     };
   }
 
   get cvt(): CvtSettings {
     return {
-      method: (this.#text('cvt-method') ?? 'lbfgs') as CvtMethod,
-      energyTolerance: Math.max(0, this.#number('cvt-tolerance', 0)),
+      method: this.#text('cvt-method') as CvtMethod,
+      energyTolerance: Math.max(0, this.#number('cvt-tolerance')),
     };
   }
 
   get cvtIterations(): number {
-    return Math.max(1, Math.round(this.#number('cvt-iterations', 50)));
+    return Math.max(1, Math.round(this.#number('cvt-iterations')));
   }
 
   get isPainting(): boolean {
-    return this.#text('tool') === 'density';
+    return this.#given('tool') === 'density';
   }
 
   get brush(): Brush {
     return {
-      radius: this.#number('brush-size', 20) / 100,
-      density: this.#number('brush-density', 100),
+      radius: this.#number('brush-size') / 100,
+      density: this.#number('brush-density'),
     };
   }
 
-  #text(name: string): string | undefined {
+  /** The text of an attribute without a default. */
+  #given(name: string): string | undefined {
     return this.#element.getAttribute(name) ?? undefined;
   }
 
-  #number(name: string, otherwise: number): number {
-    const text = this.#text(name)?.trim();
+  #text(name: string): string {
+    return attributeOf(this.#element, name);
+  }
+
+  #number(name: string): number {
+    const text = this.#text(name).trim();
     const number = text ? Number(text) : NaN;
-    return Number.isFinite(number) ? number : otherwise;
+    return Number.isFinite(number) ? number : Number(attributeDefaults[name]);
   }
 }

@@ -10,7 +10,7 @@ import type {
   Sampling,
   SurfacePoints,
 } from 'geodesic-voronoi';
-import { buildAttributes, samplingAttributes } from './attributes.js';
+import { buildAttributes, samplingAttributes } from './attribute_defaults.js';
 import { formatCameraOrbit } from './camera_orbit.js';
 import { type Command, commandOf, instructionsOf, perform } from './commands.js';
 import { fileOfPicture } from './drawing_builder.js';
@@ -168,9 +168,9 @@ export class GeodesicVoronoiElement extends ReflectingElement {
   /** Replaces the sites by new ones in new places; random ones follow the density. */
   async sampleSites(
     count: number,
-    seed = 1,
-    sampling: Sampling = 'random',
-    perComponent = 0,
+    seed?: number,
+    sampling?: Sampling,
+    perComponent?: number,
   ): Promise<void> {
     await this.#editable.sampleSites({ count, seed, sampling, perComponent });
   }

@@ -16,13 +16,13 @@ import { lastSegment, type NamedFiles } from './model_files.js';
 import { SceneMesh } from './scene_mesh.js';
 import type { Tints } from './site_history.js';
 
-/** How sites are sampled. */
+/** How sites are sampled, by default as the library does. */
 export interface SiteSampling {
   count: number;
-  seed: number;
-  sampling?: Sampling;
+  seed?: number | undefined;
+  sampling?: Sampling | undefined;
   /** The least number per component, as far as there are enough sites. */
-  perComponent?: number;
+  perComponent?: number | undefined;
   /** Per input vertex: random sites are closer where it is greater. */
   density?: ArrayLike<number> | undefined;
 }

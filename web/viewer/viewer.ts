@@ -4,7 +4,8 @@
 
 import type { SurfacePath } from 'geodesic-voronoi';
 import { Vector3 } from 'three';
-import { type Attributes, buildAttributes, samplingAttributes } from './attributes.js';
+import { buildAttributes, samplingAttributes } from './attribute_defaults.js';
+import type { Attributes } from './attributes.js';
 import { formatCameraOrbit } from './camera_orbit.js';
 import { commandOf, isOfView, perform } from './commands.js';
 import { DerivedDrawings } from './derived_drawings.js';

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+//
+// The element's attributes that have a default, and what it is.
+
+/** How a model is made of its file. */
+const build = { 'max-edge': '0', weld: '0', orientation: 'unify', 'min-component': '0' };
+/** How sites are placed. */
+const sampling = { sites: '0', seed: '1', sampling: 'random', 'per-component': '0' };
+
+export const buildAttributes = Object.keys(build);
+export const samplingAttributes = Object.keys(sampling);
+
+/** The library has the same defaults for what its functions take, so code may leave these out. */
+export const attributeDefaults: Readonly<Record<string, string>> = {
+  ...build,
+  ...sampling,
+  metric: 'exact',
+  detail: '0',
+  'cvt-method': 'lbfgs',
+  'cvt-iterations': '50',
+  'cvt-tolerance': '0',
+  'brush-size': '20',
+  'brush-density': '100',
+  layers: 'regions bisectors sites',
+  exploded: '0',
+  up: 'y',
+};
+
+/** The text of an attribute, or else its default. */
+export function attributeOf(element: Pick<Element, 'getAttribute'>, name: string): string {
+  return element.getAttribute(name) ?? attributeDefaults[name];
+}
