@@ -270,6 +270,18 @@ suite('the centroidal tessellation', () => {
     await own.close();
   });
 
+  test('does not go on after a cancel', async () => {
+    const status = await viewer.evaluate(async (viewer) => {
+      viewer.playCvt();
+      const sampled = viewer.sampleSites(5000, 1, 'poisson');
+      viewer.cancel();
+      await sampled;
+      return viewer.cvtStatus;
+    });
+    assert.equal(status, 'paused');
+    await viewer.after('diagram', () => press('#cvt-reset'));
+  });
+
   test('a density has a legend where it is seen', async () => {
     const legend = viewer.page.locator('geodesic-voronoi [part=density]');
     assert.equal(await legend.isVisible(), false);

@@ -7,7 +7,7 @@ import { suite, test } from 'node:test';
 import { DerivedDrawings } from '../../dist/viewer/derived_drawings.js';
 import { fetchModelFiles } from '../../dist/viewer/model_files.js';
 import { OriginalLayer } from '../../dist/viewer/original_layer.js';
-import { SamplingTask } from '../../dist/viewer/sampling_task.js';
+import { RestartableTask } from '../../dist/viewer/restartable_task.js';
 
 const turn = () => new Promise((resolve) => setImmediate(resolve));
 const milliseconds = (count) => new Promise((resolve) => setTimeout(resolve, count));
@@ -88,37 +88,31 @@ suite('derived drawings', () => {
   });
 });
 
-test('a placement of sites ends when another is asked for, or at a cancel', async () => {
+test('a task ends when it is asked for again, or at a cancel', async () => {
   const signals = [];
-  const shares = [];
-  const mesh = {
-    info: { components: 1 },
-    sampleSites: (count, { signal, onProgress }) =>
-      new Promise((resolve, reject) => {
-        signals.push(signal);
-        onProgress(0.5);
-        if (count === 3) resolve({ face: [7], bary: [1, 0, 0] });
-        signal.addEventListener('abort', () => reject(signal.reason));
-      }),
-  };
-  const task = new SamplingTask();
-  const run = (count) => task.run(mesh, { count, seed: 1 }, (share) => shares.push(share));
-  const results = [run(1), run(2)];
+  const endless = (signal) =>
+    new Promise((_, reject) => {
+      signals.push(signal);
+      signal.addEventListener('abort', () => reject(signal.reason));
+    });
+  const task = new RestartableTask();
+  const results = [task.run(endless), task.run(endless)];
   assert.deepEqual(
     signals.map(({ aborted }) => aborted),
     [true, false],
   );
   task.cancel();
   assert.equal(task.isRunning, false);
-  results.push(run(3));
+  results.push(task.run(async () => {}));
   assert.equal(task.isRunning, true);
-  assert.deepEqual(await Promise.all(results), [
-    undefined,
-    undefined,
-    { face: [7], bary: [1, 0, 0] },
-  ]);
+  assert.deepEqual(await Promise.all(results), [false, false, true]);
   assert.equal(task.isRunning, false);
-  assert.deepEqual(shares, [0.5, 0.5, 0.5]);
+  await assert.rejects(
+    task.run(() => Promise.reject(new Error('of the work'))),
+    { message: 'of the work' },
+  );
+  assert.equal(task.isRunning, false);
+  assert.equal(await task.run(async () => task.cancel()), true, 'too late for it');
 });
 
 test('a connection that ends too early is told of with the name of the file', async (context) => {

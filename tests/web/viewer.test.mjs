@@ -575,16 +575,23 @@ suite('site history', () => {
     assert.equal(new Set([...sites.present, ...history().present]).size, 3);
   });
 
-  test('a step that is discarded leaves nothing behind, nor takes away what was undone', () => {
+  test('a move that is cancelled leaves nothing behind, nor takes away what was undone', () => {
     const sites = history();
     const lists = [sites.present, [], [sites.present[0]]];
     sites.record(lists[1]);
     sites.record(lists[2]);
     sites.undo();
     sites.undo();
-    sites.record([lists[0][1]]);
-    sites.revise([]);
-    sites.discard();
+    const [{ id }] = lists[0];
+    for (const face of [3, 5]) assert.equal(sites.move(id, { face, bary: [1, 0, 0] }, false), true);
+    assert.deepEqual(
+      sites.present.map((site) => site.id),
+      lists[0].map((site) => site.id),
+    );
+    assert.equal(sites.present[0].face, 5);
+    assert.equal(sites.cancelMove(), true);
+    assert.equal(sites.isMoving, false);
+    assert.equal(sites.cancelMove(), false);
     assert.equal(sites.present, lists[0]);
     assert.equal(sites.canUndo, false);
     for (const list of lists.slice(1)) {

@@ -5,11 +5,19 @@
 import type { Mesh, Metric } from 'geodesic-voronoi';
 import { type PreparedIteration, CvtRun, type CvtSettings } from './cvt_run.js';
 import type { PrepareDiagram } from './diagram_geometry.js';
+import type { FailureType } from './events.js';
 import { sentence } from './failure.js';
 import { LatestTask } from './latest_task.js';
 import { LibraryLease } from './library_pool.js';
-import { type OpenedMesh, type Opening, openMesh, type Reader } from './mesh_opening.js';
-import { SamplingTask } from './sampling_task.js';
+import {
+  type OpenedMesh,
+  type Opening,
+  openMesh,
+  type Reader,
+  sampleSites,
+  type SiteSampling,
+} from './mesh_opening.js';
+import { RestartableTask } from './restartable_task.js';
 import type { CvtStatus, SessionListener, Status } from './session_listener.js';
 import {
   changeDiagram,
@@ -32,22 +40,22 @@ export class Session {
   readonly #listener: SessionListener;
   readonly #onProgress = (share: number) => this.#listener.progressed(share);
   readonly #history = new SiteHistory();
+  readonly #opening = new RestartableTask();
+  readonly sampling = new RestartableTask();
   readonly #task = new LatestTask<DiagramRequest>(this.#compute.bind(this));
-  #settings: DiagramSettings = { metric: 'exact', detail: 0 };
+  #settings: DiagramSettings;
   #lease: LibraryLease | undefined;
-  #opening: AbortController | undefined;
   #mesh: Mesh | undefined;
   #shown: ShownDiagram | undefined;
-  #move: { id: number; recorded: boolean } | undefined;
   #cvt: CvtRun | undefined;
   #cvtStatus: CvtStatus = 'idle';
-  readonly sampling = new SamplingTask();
   #computing = false;
   #hasFailed = false;
   #status: Status = 'empty';
 
   /** `prepare` gets diagrams of the present model. */
-  constructor(prepare: PrepareDiagram, listener: SessionListener) {
+  constructor(settings: DiagramSettings, prepare: PrepareDiagram, listener: SessionListener) {
+    this.#settings = settings;
     this.#prepare = prepare;
     this.#listener = listener;
   }
@@ -78,37 +86,19 @@ export class Session {
 
   /** Whether a site is being moved: until `endMove` or `cancelMove`. */
   get isMoving(): boolean {
-    return this.#move !== undefined;
+    return this.#history.isMoving;
   }
 
   /** Opens a model with so many sites sampled; resolves to whether it is there now. */
-  async open(read: Reader, how: Opening): Promise<boolean> {
-    this.#opening?.abort();
-    const opening = (this.#opening = new AbortController());
+  open(read: Reader, how: Opening): Promise<boolean> {
     this.#hasFailed = false;
-    this.#updateStatus();
-    const { signal } = opening;
-    try {
+    return this.#outcome(this.#opening, 'loadfailure', async (signal) => {
       this.#lease ??= new LibraryLease();
       const library = await this.#lease.library.catch((error) => {
         throw sentence('Nothing can be computed', error);
       });
       this.#adopt(await openMesh(library, read, how, { signal, onProgress: this.#onProgress }));
-      return true;
-    } catch (error) {
-      if (!signal.aborted) {
-        this.#hasFailed = true;
-        this.#fail(error, 'loadfailure');
-      }
-      const isFollowed = this.#opening && this.#opening !== opening;
-      if (this.#mesh && !isFollowed) this.#listener.settingsRestored(this.#settings);
-      return false;
-    } finally {
-      if (this.#opening === opening) {
-        this.#opening = undefined;
-        this.#updateStatus();
-      }
-    }
+    });
   }
 
   configure(settings: DiagramSettings): void {
@@ -119,22 +109,38 @@ export class Session {
     if (!this.#cvt?.playing) this.#request();
   }
 
-  /** Replaces the sites by new ones in new places. */
-  async sampleSites(siteSampling: Opening['siteSampling']): Promise<void> {
+  /** Replaces the sites by new ones in new places; resolves to whether they are there now. */
+  async sampleSites(siteSampling: SiteSampling): Promise<boolean> {
     const mesh = this.#mesh;
-    if (!mesh) return;
-    const placing = this.sampling.run(mesh, siteSampling, this.#onProgress);
+    if (!mesh) return false;
+    return this.#outcome(this.sampling, 'computefailure', async (signal) => {
+      const task = { signal, onProgress: this.#onProgress };
+      const sites = this.#history.createAll(await sampleSites(mesh, siteSampling, task));
+      signal.throwIfAborted();
+      this.#record(sites);
+    });
+  }
+
+  /**
+   * Resolves to whether a task is carried out. If it fails or is cancelled, the attributes go back to
+   * what is shown.
+   */
+  async #outcome(
+    task: RestartableTask,
+    failure: FailureType,
+    work: (signal: AbortSignal) => Promise<void>,
+  ): Promise<boolean> {
+    const mesh = this.#mesh;
+    const outcome = task.run(work);
     this.#updateStatus();
-    try {
-      const sites = await placing;
-      if (sites) this.#record(this.#history.createAll(sites));
-      else if (mesh === this.#mesh && !this.sampling.isRunning)
-        this.#listener.settingsRestored(this.#settings);
-    } catch (error) {
-      this.#fail(error);
+    const isDone = await outcome.catch((error) => {
+      this.#fail(error, failure);
+      return false;
+    });
+    if (!isDone && mesh && mesh === this.#mesh && !task.isRunning)
       this.#listener.settingsRestored(this.#settings);
-    }
     this.#updateStatus();
+    return isDone;
   }
 
   replaceSites(sites: { face: ArrayLike<number>; bary: ArrayLike<number> }): void {
@@ -155,38 +161,29 @@ export class Session {
   }
 
   /** Moves a site, if it is there; all moves until `endMove` are one step to undo, or still the last. */
-  moveSite(id: number, { face, bary }: SitePlace, isSameStep = false): void {
-    if (!this.sites.some((site) => site.id === id)) return;
+  moveSite(id: number, place: SitePlace, isSameStep = false): void {
+    if (!this.#history.move(id, place, isSameStep)) return;
     this.#stopCvt();
-    const moved = this.sites.map((site) => (site.id === id ? { id, face, bary } : site));
-    if (this.#move?.id !== id) this.#move = { id, recorded: isSameStep };
-    if (this.#move.recorded) this.#history.revise(moved);
-    else this.#history.record(moved);
-    this.#move.recorded = true;
     this.#listener.sitesChanged();
     this.#request({ patient: true });
   }
 
   endMove(): void {
-    this.#move = undefined;
+    this.#history.endMove();
     this.#task.hurry();
   }
 
   /** Puts a site that is being moved back to where it was. */
   cancelMove(): void {
-    if (!this.#move) return;
-    this.#move = undefined;
-    this.#history.discard();
-    this.#listener.sitesChanged();
-    this.#request();
+    if (this.#history.cancelMove()) this.#sitesReplaced();
   }
 
   undo(): void {
-    if (!this.#move && this.canUndo) this.#step(() => this.#history.undo());
+    if (!this.isMoving && this.canUndo) this.#step(() => this.#history.undo());
   }
 
   redo(): void {
-    if (!this.#move && this.canRedo) this.#step(() => this.#history.redo());
+    if (!this.isMoving && this.canRedo) this.#step(() => this.#history.redo());
   }
 
   /** Records a painted density, a step to undo. Ends a tessellation; the next one uses it. */
@@ -230,8 +227,7 @@ export class Session {
 
   /** Gives up what is under way. */
   cancel(): void {
-    this.#opening?.abort();
-    this.#opening = undefined;
+    this.#opening.cancel();
     this.sampling.cancel();
     if (this.#cvt?.playing) this.#cvt.pause();
     else this.#task.cancel();
@@ -258,7 +254,6 @@ export class Session {
     this.#shown?.diagram?.dispose();
     this.#mesh?.dispose();
     this.#shown = undefined;
-    this.#move = undefined;
     this.#mesh = mesh;
     this.#history.reset(sites, opened.tints);
     this.#listener.modelChanged(opened);
@@ -342,7 +337,7 @@ export class Session {
 
   #playCvt(settings: CvtSettings, until: (iterationsDone: number) => number): void {
     if (!this.#mesh || this.sites.length === 0) return;
-    this.#move = undefined;
+    this.#history.endMove();
     const wanted = { ...settings, metric: this.#settings.metric };
     if (this.#cvt && (this.#cvt.done || !this.#cvt.hasSettings(wanted))) this.#stopCvt();
     this.#cvt ??= this.#newCvt(this.#mesh, wanted);
@@ -351,9 +346,9 @@ export class Session {
     this.#updateStatus();
   }
 
-  #newCvt(mesh: Mesh, settings: CvtSettings): CvtRun {
+  #newCvt(mesh: Mesh, settings: CvtSettings & { metric: Metric }): CvtRun {
     return new CvtRun(mesh, this.sites, settings, this.#prepare, {
-      iterated: (iteration) => this.#showIteration(iteration, settings.metric ?? 'exact'),
+      iterated: (iteration) => this.#showIteration(iteration, settings.metric),
       paused: () => this.#rest(),
       failed: (error) => {
         this.#stopCvt();
@@ -407,7 +402,6 @@ export class Session {
     if (!this.#shown) return;
     const { sites, metric, detail, diagram } = this.#shown;
     this.#settings = { metric, detail };
-    this.#move = undefined;
     const { tints } = this.#history;
     this.#history.returnTo(sites);
     if (this.#history.tints !== tints) this.#listener.densityChanged(this.#history.tints);
@@ -417,7 +411,8 @@ export class Session {
     if (!diagram && sites.length > 0 && failed.sites !== sites) this.#request();
   }
 
-  #fail(error: unknown, type: Parameters<SessionListener['failed']>[0] = 'computefailure'): void {
+  #fail(error: unknown, type: FailureType = 'computefailure'): void {
+    this.#hasFailed = true;
     // A library that has stopped never answers again; the next model starts another.
     const { code } = ((error as Error).cause ?? error) as { code?: unknown };
     if (code === 'internal' || code === 'load-failed') {
@@ -428,7 +423,7 @@ export class Session {
   }
 
   #statusNow(): Status {
-    if (this.#opening) return 'loading';
+    if (this.#opening.isRunning) return 'loading';
     if (this.#cvt?.playing) return 'iterating';
     if (this.#computing || this.sampling.isRunning) return 'computing';
     if (this.#mesh) return 'ready';

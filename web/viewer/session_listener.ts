@@ -4,6 +4,7 @@
 
 import type { CvtState, DiagramChange } from 'geodesic-voronoi';
 import type { PreparedDiagram } from './diagram_geometry.js';
+import type { FailureType } from './events.js';
 import type { OpenedMesh } from './mesh_opening.js';
 import type { DiagramSettings, ShownDiagram } from './shown_diagram.js';
 import type { Tints } from './site_history.js';
@@ -42,5 +43,5 @@ export interface SessionListener {
   statusChanged(status: Status): void;
   progressed(share: number): void;
   /** Something failed; model, sites and diagram are those from before. */
-  failed(type: 'loadfailure' | 'computefailure', error: unknown): void;
+  failed(type: FailureType, error: unknown): void;
 }

@@ -49,6 +49,8 @@ export class SiteHistory {
   /** What could be redone before the last step. */
   #futureBefore: State[] = [];
   #lastId = 0;
+  /** The site that is being moved, and whether that is a step already. */
+  #move: { id: number; isRecorded: boolean } | undefined;
 
   /** The sites. */
   get present(): Sites {
@@ -65,6 +67,11 @@ export class SiteHistory {
 
   get canRedo(): boolean {
     return this.#future.length > 0;
+  }
+
+  /** Whether a site is being moved: until `endMove` or `cancelMove`. */
+  get isMoving(): boolean {
+    return this.#move !== undefined;
   }
 
   /** A site with a new identity. */
@@ -85,6 +92,7 @@ export class SiteHistory {
     this.#past = [];
     this.#present = { sites, tints };
     this.#future = [];
+    this.#move = undefined;
   }
 
   /** A step that can be undone. */
@@ -101,6 +109,37 @@ export class SiteHistory {
     this.#present = { ...this.#present, sites };
   }
 
+  /**
+   * Moves a site; all moves until `endMove` are one step, or with `isSameStep` still the last one.
+   * Returns whether the site is there.
+   */
+  move(id: number, { face, bary }: SitePlace, isSameStep: boolean): boolean {
+    if (!this.present.some((site) => site.id === id)) return false;
+    if (this.#move?.id !== id) this.#move = { id, isRecorded: isSameStep };
+    const moved = this.present.map((site) => (site.id === id ? { id, face, bary } : site));
+    if (this.#move.isRecorded) this.revise(moved);
+    else this.record(moved);
+    this.#move.isRecorded = true;
+    return true;
+  }
+
+  endMove(): void {
+    this.#move = undefined;
+  }
+
+  /**
+   * Takes the step of a site that is being moved back, as if it had never been: what was undone
+   * before can be redone. Returns whether there was one.
+   */
+  cancelMove(): boolean {
+    const before = this.#move && this.#past.pop();
+    this.#move = undefined;
+    if (!before) return false;
+    this.#present = before;
+    this.#future = this.#futureBefore;
+    return true;
+  }
+
   undo(): void {
     const before = this.#past.pop();
     if (!before) return;
@@ -115,17 +154,10 @@ export class SiteHistory {
     this.#present = after;
   }
 
-  /** Takes the last recorded step back, as if it had never been: what was undone can be redone. */
-  discard(): void {
-    const before = this.#past.pop();
-    if (!before) return;
-    this.#present = before;
-    this.#future = this.#futureBefore;
-  }
-
   /** Undoes or redoes until this list is there again; if no step has it, begins anew with it. */
   returnTo(sites: Sites): void {
     const isIn = (states: readonly State[]) => states.some((state) => state.sites === sites);
+    this.#move = undefined;
     if (this.present === sites) return;
     if (isIn(this.#past)) while (this.present !== sites) this.undo();
     else if (isIn(this.#future)) while (this.present !== sites) this.redo();

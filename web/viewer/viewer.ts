@@ -100,6 +100,7 @@ export class Viewer implements Workpiece {
     this.#original = new OriginalLayer(this, this.#emit);
     this.#wireframe = new WireframeLayer(this);
     this.session = new Session(
+      this.attributes.diagram,
       async (data, sites) => this.#model?.prepare(data, sites),
       this.#sessionListener(),
     );
@@ -116,7 +117,6 @@ export class Viewer implements Workpiece {
       perform(command, this);
     });
     watchTheme(() => this.#adoptTheme(), signal);
-    this.configure();
   }
 
   get model(): OpenModel | undefined {
@@ -209,8 +209,8 @@ export class Viewer implements Workpiece {
 
   async sampleSites(siteSampling: SiteSampling): Promise<void> {
     const isPlaying = this.session.cvtStatus === 'running';
-    await this.session.sampleSites({ ...siteSampling, density: this.density });
-    if (isPlaying) this.playCvt();
+    const isDone = await this.session.sampleSites({ ...siteSampling, density: this.density });
+    if (isPlaying && isDone) this.playCvt();
   }
 
   /** Changes sites or density; a tessellation that plays goes on with them as they are then. */
