@@ -50,3 +50,7 @@ export function outOfMemory(cause?: unknown): GeodesicVoronoiError {
 export function invalidArgument(message: string): GeodesicVoronoiError {
   return new GeodesicVoronoiError('invalid-argument', message);
 }
+
+export function invalidFile(message: string, options?: { cause: unknown }): GeodesicVoronoiError {
+  return new GeodesicVoronoiError('invalid-file', message, options);
+}

@@ -2,7 +2,7 @@
 //
 // Limits on the size of a model, so that a small file cannot take all memory or hours.
 
-import { GeodesicVoronoiError } from '../errors.js';
+import { type GeodesicVoronoiError, invalidFile } from '../errors.js';
 import type { GltfLimits } from '../types.js';
 
 /** The limits of the glTF reader that apply to every format. */
@@ -29,15 +29,11 @@ export function requireTriangles(count: number, { maxTriangles }: SizeLimits): v
 
 export function requireCorners(count: number): void {
   if (count <= maxCorners) return;
-  throw new GeodesicVoronoiError(
-    'invalid-file',
+  throw invalidFile(
     `it has a polygon with more than ${maxCorners} corners, the most that are read`,
   );
 }
 
 function tooMany(what: string, limit: string): GeodesicVoronoiError {
-  return new GeodesicVoronoiError(
-    'invalid-file',
-    `it has more than ${what}; raise the limit ${limit} to read it`,
-  );
+  return invalidFile(`it has more than ${what}; raise the limit ${limit} to read it`);
 }

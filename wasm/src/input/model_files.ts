@@ -2,7 +2,7 @@
 //
 // The files of a model: which of them is the model, and which file a URI in it refers to.
 
-import { GeodesicVoronoiError } from '../errors.js';
+import { GeodesicVoronoiError, invalidFile } from '../errors.js';
 import type { ModelFile, ModelFiles } from '../types.js';
 
 const modelName = /\.(glb|gltf|obj|off|ply|stl)$/i;
@@ -38,8 +38,7 @@ export class FileSet {
       );
     }
     const found = paths.length > 0 ? ` in ${listed(paths)}` : ': there are no files';
-    throw new GeodesicVoronoiError(
-      'invalid-file',
+    throw invalidFile(
       `there is no model${found}; a model is a .glb, .gltf, .obj, .off, .ply or .stl, or a .zip with one`,
     );
   }
@@ -52,10 +51,7 @@ export class FileSet {
   /** The error if the wanted file is not there. */
   without(wanted: string): GeodesicVoronoiError {
     const there = listed([...this.#files.keys()].filter((path) => !isHidden(path)));
-    return new GeodesicVoronoiError(
-      'invalid-file',
-      `there is no ${wanted} in ${there || 'the file'}`,
-    );
+    return invalidFile(`there is no ${wanted} in ${there || 'the file'}`);
   }
 
   async read(path: string): Promise<Uint8Array> {
@@ -66,11 +62,9 @@ export class FileSet {
     } catch (cause) {
       // A fault of an archive is reported by what reads it.
       if (cause instanceof GeodesicVoronoiError) throw cause;
-      throw new GeodesicVoronoiError(
-        'invalid-file',
-        `${path || 'the file'} cannot be read: ${(cause as Error).message}`,
-        { cause },
-      );
+      throw invalidFile(`${path || 'the file'} cannot be read: ${(cause as Error).message}`, {
+        cause,
+      });
     }
   }
 

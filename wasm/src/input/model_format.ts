@@ -2,7 +2,7 @@
 //
 // The format of a file, found from its content, because names can be wrong or missing.
 
-import { GeodesicVoronoiError } from '../errors.js';
+import { invalidFile } from '../errors.js';
 import { hasBinaryStl, isBinaryStl } from './stl_layout.js';
 
 export type FileFormat = 'glTF' | 'OBJ' | 'OFF' | 'PLY' | 'binary STL' | 'text STL' | 'zip';
@@ -13,7 +13,7 @@ const objStatement = /^(v|vt|vn|vp|f|fo|g|o|s|l|p|mtllib|usemtl|mg|lod|maplib)([
 
 /** The name decides only where the content does not, as in a broken file. */
 export function formatOf(bytes: Uint8Array, name: string): FileFormat {
-  if (bytes.length === 0) throw new GeodesicVoronoiError('invalid-file', 'the file is empty');
+  if (bytes.length === 0) throw invalidFile('the file is empty');
   if (isBinaryStl(bytes)) return 'binary STL';
   const head = new TextDecoder('latin1').decode(bytes.subarray(0, maxHeadBytes));
   // The mark of UTF-8, as this decoder has it; comments of OFF and OBJ.
@@ -40,12 +40,7 @@ export function formatOf(bytes: Uint8Array, name: string): FileFormat {
       return 'PLY';
   }
   if (isBinary && hasBinaryStl(bytes)) return 'binary STL';
-  throw unknown('the file has none of the formats that are read');
-}
-
-function unknown(what: string): GeodesicVoronoiError {
-  return new GeodesicVoronoiError(
-    'invalid-file',
-    `${what}: glTF, OBJ, OFF, PLY or STL, or a zip with one of them`,
+  throw invalidFile(
+    'the file has none of the formats that are read: glTF, OBJ, OFF, PLY or STL, or a zip with one of them',
   );
 }

@@ -4,7 +4,7 @@
 // vertices' numbers: from 1, or from -1 for the last one before it. Their texture coordinates and
 // normals, and materials, do not matter here.
 
-import { GeodesicVoronoiError } from '../errors.js';
+import { invalidFile } from '../errors.js';
 import type { SlicedWork } from '../slices.js';
 import type { ReadModel } from '../triangles.js';
 import { GrowingArray } from './growing_array.js';
@@ -59,7 +59,7 @@ class ObjReader {
 
   *take(): SlicedWork<ReadModel> {
     if (this.#polygons.count === 0) {
-      throw new GeodesicVoronoiError('invalid-file', 'the OBJ has no faces');
+      throw invalidFile('the OBJ has no faces');
     }
     const { vertex, line } = this.#highest;
     if (vertex >= this.#vertexCount) {

@@ -3,7 +3,7 @@
 // OFF, the format of Geomview, as text: the counts, a vertex per line, a face per line. Normals,
 // colours and texture coordinates do not matter here.
 
-import { GeodesicVoronoiError } from '../errors.js';
+import { invalidFile } from '../errors.js';
 import type { SlicedWork } from '../slices.js';
 import type { ReadModel } from '../triangles.js';
 import { GrowingArray } from './growing_array.js';
@@ -44,8 +44,7 @@ export function* readOff(bytes: Uint8Array, limits: SizeLimits): SlicedWork<Read
     }
     if (face % linesPerStep === 0) yield words.share;
   }
-  if (polygons.count === 0)
-    throw new GeodesicVoronoiError('invalid-file', 'the OFF has no faces of three corners or more');
+  if (polygons.count === 0) throw invalidFile('the OFF has no faces of three corners or more');
 
   const positions = yield* places.take();
   const { indices, notes } = yield* polygons.take(positions);

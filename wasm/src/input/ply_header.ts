@@ -2,7 +2,7 @@
 //
 // The header of a PLY: what elements it has, how many, and of what properties.
 
-import { GeodesicVoronoiError } from '../errors.js';
+import { invalidFile } from '../errors.js';
 import { lineFault } from './text_words.js';
 
 interface Line {
@@ -64,7 +64,7 @@ export const maxHeaderBytes = 2 ** 16;
 export function readPlyHeader(bytes: Uint8Array): PlyHeader {
   const text = new TextDecoder('latin1').decode(bytes.subarray(0, maxHeaderBytes));
   const end = /(^|[\r\n])end_header[ \t]*(\r\n|\r|\n)/.exec(text);
-  if (!end) throw fault('the PLY is truncated: its header has no end');
+  if (!end) throw invalidFile('the PLY is truncated: its header has no end');
   const headerText = text.slice(0, end.index + end[0].length);
   const header: PlyHeader = {
     format: 'ascii',
@@ -90,7 +90,7 @@ export function readPlyHeader(bytes: Uint8Array): PlyHeader {
       element.properties.push(propertyOf(line));
     }
   }
-  if (!isKnown) throw fault('the PLY does not say its format');
+  if (!isKnown) throw invalidFile('the PLY does not say its format');
   return header;
 }
 
@@ -112,8 +112,4 @@ function typeOf(name: string | undefined, line: Line): PlyType {
   if (name !== undefined && Object.hasOwn(plyTypes, name)) return name as PlyType;
   if (name !== undefined && Object.hasOwn(aliases, name)) return aliases[name];
   throw lineFault(line.number, `'${name}' is not a type of PLY`);
-}
-
-function fault(message: string): GeodesicVoronoiError {
-  return new GeodesicVoronoiError('invalid-file', message);
 }

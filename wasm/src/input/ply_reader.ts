@@ -4,7 +4,7 @@
 // vertices, their property `density` if they have it, its faces, and triangle strips, which scans
 // come in. Everything else is passed over.
 
-import { GeodesicVoronoiError } from '../errors.js';
+import { invalidFile } from '../errors.js';
 import type { SlicedWork } from '../slices.js';
 import type { ReadModel } from '../triangles.js';
 import { GrowingArray } from './growing_array.js';
@@ -116,10 +116,12 @@ class PlyReader {
 
   *take(): SlicedWork<ReadModel> {
     const vertexCount = this.#positions.length / 3;
-    if (this.#polygons.count === 0) throw fault('the PLY has no faces');
+    if (this.#polygons.count === 0) throw invalidFile('the PLY has no faces');
     if (this.#highest.vertex >= vertexCount) {
       const { vertex, place } = this.#highest;
-      throw fault(`${place}: a face names vertex ${vertex}, but there are ${vertexCount} (from 0)`);
+      throw invalidFile(
+        `${place}: a face names vertex ${vertex}, but there are ${vertexCount} (from 0)`,
+      );
     }
     const positions = yield* this.#positions.take();
     const density = yield* this.#density.take();
@@ -181,7 +183,7 @@ class PlyReader {
 
   #vertex(vertex: number): number {
     if (!Number.isInteger(vertex) || vertex < 0 || vertex >= this.#limits.maxVertices) {
-      throw fault(`${this.#values.place}: ${vertex} is not a vertex`);
+      throw invalidFile(`${this.#values.place}: ${vertex} is not a vertex`);
     }
     if (vertex > this.#highest.vertex) this.#highest = { vertex, place: this.#values.place };
     return vertex;
@@ -190,14 +192,14 @@ class PlyReader {
   #length(type: PlyType): number {
     const length = this.#values.next(type);
     if (Number.isInteger(length) && length >= 0) return length;
-    throw fault(`${this.#values.place}: ${length} is not the length of a list`);
+    throw invalidFile(`${this.#values.place}: ${length} is not the length of a list`);
   }
 }
 
 function requirePlaces({ properties }: PlyElement): void {
   for (const axis of axes) {
     if (!properties.some(({ name }) => name === axis))
-      throw fault(`the PLY's vertices have no ${axis}`);
+      throw invalidFile(`the PLY's vertices have no ${axis}`);
   }
 }
 
@@ -226,7 +228,7 @@ class BinaryValues implements Values {
     this.#last = this.#at;
     this.#at += bytes;
     if (this.#at > this.#view.byteLength) {
-      throw fault(`the PLY is truncated: it ends at byte ${this.#view.byteLength}`);
+      throw invalidFile(`the PLY is truncated: it ends at byte ${this.#view.byteLength}`);
     }
     return this.#view[getter](this.#last, this.#isLittleEndian);
   }
@@ -255,8 +257,4 @@ class TextValues implements Values {
       if (!this.#words.nextLine()) throw this.#words.fault('the PLY is truncated: it ends here');
     }
   }
-}
-
-function fault(message: string): GeodesicVoronoiError {
-  return new GeodesicVoronoiError('invalid-file', message);
 }

@@ -4,7 +4,7 @@
 
 import type { CompiledModule } from '../compile.js';
 import type { FileInput } from '../engine.js';
-import { GeodesicVoronoiError } from '../errors.js';
+import { invalidFile } from '../errors.js';
 import { readGltf } from './gltf_reader.js';
 import type { MeshOrigin, MeshPart } from '../results.js';
 import { inSlices, type SlicedWork } from '../slices.js';
@@ -60,10 +60,7 @@ export async function modelIn(
   const { format } = model;
   // There are zips that hold themselves.
   if (format === 'zip') {
-    throw new GeodesicVoronoiError(
-      'invalid-file',
-      `${model.file} in the zip is a zip itself: unpack it first`,
-    );
+    throw invalidFile(`${model.file} in the zip is a zip itself: unpack it first`);
   }
   return { ...model, format };
 }

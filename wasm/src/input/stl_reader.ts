@@ -4,7 +4,7 @@
 // follow from these. The length tells binary from text, since some binary files begin with "solid",
 // as text does.
 
-import { GeodesicVoronoiError } from '../errors.js';
+import { invalidFile } from '../errors.js';
 import type { SlicedWork } from '../slices.js';
 import type { ReadModel } from '../triangles.js';
 import { GrowingArray } from './growing_array.js';
@@ -17,9 +17,9 @@ const perStep = 64;
 
 export function* readBinaryStl(bytes: Uint8Array, limits: SizeLimits): SlicedWork<ReadModel> {
   const count = stlTriangleCount(bytes);
-  if (count === 0) throw fault('the STL has no triangles');
+  if (count === 0) throw invalidFile('the STL has no triangles');
   if (bytes.length < stlBytes(count)) {
-    throw fault(
+    throw invalidFile(
       `the STL is truncated: its ${count} triangles need ${stlBytes(count)} bytes, but it has ${bytes.length}`,
     );
   }
@@ -61,7 +61,7 @@ export function* readTextStl(bytes: Uint8Array, limits: SizeLimits): SlicedWork<
     if (line % perStep === 0) yield words.share;
   }
   if (corners >= 0) throw words.fault('the STL is truncated: it ends within a triangle');
-  if (positions.length === 0) throw fault('the STL has no triangles');
+  if (positions.length === 0) throw invalidFile('the STL has no triangles');
   return yield* modelOf(yield* positions.take());
 }
 
@@ -76,8 +76,4 @@ function* modelOf(positions: Float64Array): SlicedWork<ReadModel> {
 
 function viewOf(bytes: Uint8Array): DataView {
   return new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-}
-
-function fault(message: string): GeodesicVoronoiError {
-  return new GeodesicVoronoiError('invalid-file', message);
 }

@@ -3,7 +3,7 @@
 // The words of a text file, line by line, and what goes wrong in one. However long the file is, or
 // a line of it, only a small part of it is a string at a time.
 
-import { GeodesicVoronoiError } from '../errors.js';
+import { type GeodesicVoronoiError, invalidFile } from '../errors.js';
 
 const blockBytes = 2 ** 16;
 /** No number or keyword is as long. */
@@ -165,7 +165,7 @@ export class TextWords {
 }
 
 export function lineFault(line: number, message: string): GeodesicVoronoiError {
-  return new GeodesicVoronoiError('invalid-file', `line ${line}: ${message}`);
+  return invalidFile(`line ${line}: ${message}`);
 }
 
 function shortened(text: string): string {

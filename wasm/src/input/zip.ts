@@ -5,7 +5,7 @@
 // few bytes can hold terabytes of zeros.
 
 import { Inflate } from 'fflate';
-import { GeodesicVoronoiError } from '../errors.js';
+import { invalidFile } from '../errors.js';
 import { inSlices, type SlicedWork } from '../slices.js';
 import type { ModelFiles, TaskOptions } from '../types.js';
 
@@ -34,7 +34,7 @@ export function zipFiles(archive: Uint8Array, task: TaskOptions): ModelFiles {
   const most = mostUnpacked(archive.length);
   if (total > most) {
     const megabytes = (bytes: number) => `${Math.ceil(bytes / 2 ** 20)} MB`;
-    throw fault(
+    throw invalidFile(
       `the zip of ${megabytes(archive.length)} would unpack to ${megabytes(total)}, more than the ${megabytes(most)} that are unpacked; unpacked, it can be opened as a folder`,
     );
   }
@@ -53,10 +53,10 @@ function entriesOf(archive: Uint8Array): Entry[] {
   const count = view.getUint16(end + 10, true);
   let at = view.getUint32(end + 16, true);
   if (count === 0xffff || at === 0xffffffff)
-    throw fault('the zip is one of 64 bits: unpack it first');
+    throw invalidFile('the zip is one of 64 bits: unpack it first');
   return Array.from({ length: count }, () => {
     if (at + 46 > end || view.getUint32(at, true) !== 0x02014b50) {
-      throw fault(`the zip is damaged: there is no directory entry at byte ${at}`);
+      throw invalidFile(`the zip is damaged: there is no directory entry at byte ${at}`);
     }
     const flags = view.getUint16(at + 8, true);
     const nameLength = view.getUint16(at + 28, true);
@@ -81,17 +81,17 @@ function endOfDirectory(view: DataView): number {
   for (let at = last; at >= Math.max(0, last - 0xffff); --at) {
     if (view.getUint32(at, true) === 0x06054b50) return at;
   }
-  throw fault('the zip is truncated: its directory is missing');
+  throw invalidFile('the zip is truncated: its directory is missing');
 }
 
 async function unpacked(archive: Uint8Array, entry: Entry, task: TaskOptions): Promise<Uint8Array> {
   const { name, method, isEncrypted, packedSize, size, offset } = entry;
-  if (isEncrypted) throw fault(`${name} in the zip is encrypted: unpack it first`);
+  if (isEncrypted) throw invalidFile(`${name} in the zip is encrypted: unpack it first`);
   if (method !== 0 && method !== 8) {
-    throw fault(`${name} in the zip is packed by method ${method}; only 0 and 8 are read`);
+    throw invalidFile(`${name} in the zip is packed by method ${method}; only 0 and 8 are read`);
   }
   const view = viewOf(archive);
-  const damaged = () => fault(`the zip is damaged: ${name} cannot be unpacked`);
+  const damaged = () => invalidFile(`the zip is damaged: ${name} cannot be unpacked`);
   if (offset + 30 > archive.length || view.getUint32(offset, true) !== 0x04034b50) throw damaged();
   const start = offset + 30 + view.getUint16(offset + 26, true) + view.getUint16(offset + 28, true);
   const packed = archive.subarray(start, start + packedSize);
@@ -123,8 +123,4 @@ function* inflated(packed: Uint8Array, size: number): SlicedWork<Uint8Array | un
 
 function viewOf(bytes: Uint8Array): DataView {
   return new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-}
-
-function fault(message: string): GeodesicVoronoiError {
-  return new GeodesicVoronoiError('invalid-file', message);
 }
