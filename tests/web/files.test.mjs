@@ -59,7 +59,8 @@ suite('files', () => {
     assert.equal(await viewer.siteCount(), 59);
 
     const wrong = {
-      '{': 'cannot be opened as sites: it is no JSON that can be read.',
+      '{': 'cannot be opened as sites: it is no JSON that can be read: ',
+      '{"position": null}': 'cannot be opened as sites: points.position is null, ',
       '{"face": [1]}': 'cannot be opened as sites: there are no points: ',
       '{"face": [1], "bary": [1, 0]}': 'cannot be opened as sites: points.bary has 2 numbers: ',
       '{"face": [999999], "bary": [1, 0, 0]}':

@@ -2,13 +2,11 @@
 //
 // Sites as a file.
 
-import type { Mesh, SurfacePoints } from 'geodesic-voronoi';
+import type { SurfacePoints } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
-import { readCsvPlaces } from '../../dist/input/csv_places.js';
-import { toSizeLimits } from '../../dist/input/limits.js';
 import { maxHeaderBytes, readPlyHeader } from '../../dist/input/ply_header.js';
-import { readPlyPlaces } from '../../dist/input/ply_reader.js';
-import { inSlices } from '../../dist/slices.js';
+import { readPointsFile } from '../../dist/input/points_reader.js';
+import { pointsFile } from '../../dist/points_file.js';
 import { sentence } from '../viewer/failure.js';
 import { byId } from './dom.js';
 import { hideError, showError, showNoteOnSites } from './feedback.js';
@@ -73,12 +71,13 @@ export async function openSites(viewer: GeodesicVoronoiElement, file: File): Pro
     return;
   }
   try {
-    const content = await contentOf(file);
+    const content = await readPointsFile(new Uint8Array(await file.arrayBuffer()));
+    const places = placesIn(content);
     const sites = await mesh.readPoints(content);
-    const far = await farthestFrom(mesh, content);
+    const { distance } = await mesh.closestPoints(places);
     if (mesh !== viewer.mesh) return;
     viewer.sites = present(sites);
-    tellOfPoints(viewer, file, far);
+    tellOfPoints(viewer, file, Math.max(0, ...distance));
   } catch (error) {
     showError(sentence(`${name} cannot be opened as sites`, error).message);
   }
@@ -100,38 +99,19 @@ function tellOfPoints(viewer: GeodesicVoronoiElement, file: File, far: number): 
   });
 }
 
-/** The largest distance from the surface, where points are given by their places. */
-async function farthestFrom(mesh: Mesh, content: unknown): Promise<number> {
-  type Points = { position?: ArrayLike<number>; face?: unknown; sites?: Points };
-  const given = (content ?? {}) as Points;
-  const { position, face } = given.sites ?? given;
+/** The places of points that are given by these alone, of which there may not be too many. */
+function placesIn(content: unknown): ArrayLike<number> {
+  const { points } = pointsFile(content);
   // Points on triangles may come with their places, in another unit.
-  if (!position || face) return 0;
-  const { distance } = await mesh.closestPoints(position);
-  return distance.reduce((most, each) => Math.max(most, each), 0);
-}
-
-/** The JSON of a file, or the places in a PLY, or in a table of x, y and z. */
-async function contentOf(file: File): Promise<unknown> {
-  if (!/\.json$/i.test(file.name)) {
-    const bytes = new Uint8Array(await file.arrayBuffer());
-    const position = isPly(file)
-      ? await inSlices(readPlyPlaces(bytes, toSizeLimits({})), {})
-      : readCsvPlaces(bytes);
-    if (position.length === 0) throw new Error('it has no points');
-    const most = Number(byId('count', HTMLInputElement).max);
-    if (position.length > 3 * most) {
-      const points = integer(position.length / 3);
-      throw new Error(`it has ${points} points without triangles, more than ${integer(most)}`);
-    }
-    return { position };
-  }
-  const text = await file.text();
-  try {
-    return JSON.parse(text);
-  } catch (cause) {
-    throw new Error('it is no JSON that can be read', { cause });
-  }
+  if (!('position' in points) || 'face' in points) return [];
+  const { position } = points;
+  const most = Number(byId('count', HTMLInputElement).max);
+  // JSON may have anything there, which `mesh.readPoints` refuses.
+  if (position?.length > 3 * most)
+    throw new Error(
+      `it has ${integer(position.length / 3)} points without triangles, more than ${integer(most)}`,
+    );
+  return position;
 }
 
 /** A diagram's list of sites without the labels of removed ones. */

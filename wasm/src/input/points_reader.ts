@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+//
+// Files of points: JSON, also of a result; or places, in a PLY or a table.
+
+import { inSlices } from '../slices.js';
+import { readCsvPlaces } from './csv_places.js';
+import { parseJson } from './json_members.js';
+import { toSizeLimits } from './limits.js';
+import { readPlyPlaces } from './ply_reader.js';
+
+/** Enough to find the first letter. */
+const headBytes = 2 ** 10;
+
+/**
+ * The content of a file of points as `pointsFile` takes it: JSON, parsed, or the places in another
+ * file. The content tells which it is: pipes have no names that could.
+ */
+export async function readPointsFile(bytes: Uint8Array): Promise<unknown> {
+  const head = new TextDecoder().decode(bytes.subarray(0, headBytes));
+  if (head.trim() === '') throw new Error('the file is empty');
+  if (isJson(head)) return readJson(bytes);
+  const position = /^ply\s/.test(head)
+    ? await inSlices(readPlyPlaces(bytes, toSizeLimits({})), {})
+    : readCsvPlaces(bytes);
+  if (position.length === 0) throw new Error('it has no points');
+  return { position };
+}
+
+/** Whether a text begins as a list or an object of JSON. */
+export function isJson(text: string): boolean {
+  return /^\s*[[{]/.test(text);
+}
+
+export function readJson(bytes: Uint8Array): unknown {
+  try {
+    return parseJson(bytes);
+  } catch (cause) {
+    if (!(cause instanceof SyntaxError)) throw cause;
+    throw new Error(`it is no JSON that can be read: ${cause.message}`, { cause });
+  }
+}
