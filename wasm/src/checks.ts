@@ -5,8 +5,8 @@
 import { invalidArgument } from './errors.js';
 import type { TaskOptions } from './types.js';
 
-/** The default of every option; undefined for one that has to be given, too. */
-export type Usual<Options> = { [Name in keyof Required<Options>]: Options[Name] | undefined };
+/** The default of every option; undefined for an option without one, or that has to be given. */
+export type DefaultsOf<Options> = { [Name in keyof Required<Options>]: Options[Name] | undefined };
 /** Options with defaults filled in: only those without a default may be undefined. */
 export type Complete<Options, Defaults> = {
   [Name in keyof Defaults & keyof Options]: undefined extends Defaults[Name]
@@ -17,14 +17,14 @@ export type Complete<Options, Defaults> = {
 /**
  * The options of a call, with defaults for those left out. Refuses one that the call does not know.
  */
-export function toOptions<Options extends object, const Defaults extends Usual<Options>>(
+export function toOptions<Options extends object, const Defaults extends DefaultsOf<Options>>(
   options: Options | undefined,
-  usual: Defaults,
+  defaults: Defaults,
 ): Complete<Options, Defaults> {
   const given = options ?? {};
   if (options === null || !isObject(given) || Array.isArray(given))
     throw invalidArgument(`options is ${show(options)}, not an object`);
-  const known = Object.keys(usual);
+  const known = Object.keys(defaults);
   const stranger = Object.keys(given)
     .find((name) => !known.includes(name))
     ?.slice(0, 40);
@@ -37,7 +37,7 @@ export function toOptions<Options extends object, const Defaults extends Usual<O
           : `the nearest is ${show(nearest)}`),
     );
   }
-  const values = Object.entries(usual).map(([name, value]) => {
+  const values = Object.entries(defaults).map(([name, value]) => {
     const own = (given as Record<string, unknown>)[name];
     return [name, own === undefined ? value : own];
   });
@@ -47,10 +47,10 @@ export function toOptions<Options extends object, const Defaults extends Usual<O
 /** The options of a task, checked likewise: every task also has `onProgress` and `signal`. */
 export function toTaskOptions<
   Options extends TaskOptions,
-  const Defaults extends Usual<Omit<Options, keyof TaskOptions>>,
->(options: Options | undefined, usual: Defaults): Complete<Options, Defaults> & TaskOptions {
-  const all = toOptions<TaskOptions, Usual<TaskOptions>>(options, {
-    ...usual,
+  const Defaults extends DefaultsOf<Omit<Options, keyof TaskOptions>>,
+>(options: Options | undefined, defaults: Defaults): Complete<Options, Defaults> & TaskOptions {
+  const all = toOptions<TaskOptions, DefaultsOf<TaskOptions>>(options, {
+    ...defaults,
     onProgress: undefined,
     signal: undefined,
   });

@@ -6,7 +6,7 @@
 import { appendChange, areLarge, changedData, changedSites } from './change.js';
 import { toBoolean, toInteger, toTask, toTaskOptions } from './checks.js';
 import type { DiagramForm, Engine, OpenedDiagram } from './engine.js';
-import { diagramJson, type DiagramJson } from './formats.js';
+import { diagramJson, type DiagramJson } from './diagram_formats.js';
 import {
   maxCount,
   repairDefaults,
@@ -17,7 +17,7 @@ import {
   toWorstRegion,
   type GivenPoints,
 } from './arguments.js';
-import { disposeSymbol, inspectSymbol, Kept, settled } from './kept.js';
+import { disposeSymbol, inspectSymbol, EngineObject, settled } from './engine_object.js';
 import { regionsOf } from './region.js';
 import { partOf } from './slices.js';
 import type {
@@ -50,7 +50,7 @@ import type { Argument } from './wasm_module.js';
 
 export class EngineDiagram implements Diagram {
   readonly #form: DiagramForm;
-  readonly #kept: Kept;
+  readonly #object: EngineObject;
   #sites: SurfacePoints;
   #data: DiagramData;
   /** The changes that `#data` does not have yet: they are merged when the arrays are asked for. */
@@ -67,7 +67,7 @@ export class EngineDiagram implements Diagram {
     this.#form = form;
     this.#sites = sites;
     this.#data = data;
-    this.#kept = new Kept(this, 'diagram', engine, handle);
+    this.#object = new EngineObject(this, 'diagram', engine, handle);
   }
 
   get metric(): Metric {
@@ -106,7 +106,7 @@ export class EngineDiagram implements Diagram {
     const task = toTask(options);
     return this.#inTurn(task, async () => {
       if (this.#changes.length > 0) {
-        this.#data = await this.#kept.call<DiagramData>('voronoiDiagram', [], task);
+        this.#data = await this.#object.call<DiagramData>('voronoiDiagram', [], task);
         this.#changes = [];
         // The loops of these regions are indices into the former arrays.
         this.#regions = undefined;
@@ -152,10 +152,10 @@ export class EngineDiagram implements Diagram {
       }
     };
     return this.#inTurn({ signal }, async () => {
-      const site = place && (await this.#kept.onSurface(place, { signal }));
+      const site = place && (await this.#object.onSurface(place, { signal }));
       signal?.throwIfAborted();
       const all = site ? [...args, site.face, site.bary] : args;
-      const change = await this.#kept.call<DiagramChange>(name, all, { onProgress: report });
+      const change = await this.#object.call<DiagramChange>(name, all, { onProgress: report });
       this.#sites = changedSites(this.#sites, change.label, site);
       appendChange(this.#changes, change);
       if (areLarge(this.#changes, this.#data)) this.#mergeChanges();
@@ -177,14 +177,14 @@ export class EngineDiagram implements Diagram {
 
   /** Asks core.wasm about the diagram, in turn. */
   #ask<Result>(name: string, args: readonly Argument[], task: TaskOptions): Promise<Result> {
-    return this.#inTurn(task, () => this.#kept.call<Result>(name, args, task));
+    return this.#inTurn(task, () => this.#object.call<Result>(name, args, task));
   }
 
   /** Asks about points. */
   #askOf<Result>(name: string, points: GivenPoints, task: TaskOptions): Promise<Result> {
     return this.#inTurn(task, async () => {
-      const { face, bary } = await this.#kept.onSurface(points, task);
-      return this.#kept.call<Result>(name, [face, bary], task);
+      const { face, bary } = await this.#object.onSurface(points, task);
+      return this.#object.call<Result>(name, [face, bary], task);
     });
   }
 
@@ -238,7 +238,7 @@ export class EngineDiagram implements Diagram {
   }
 
   async #violations(task: TaskOptions): Promise<Violation[]> {
-    const { kind, labelOffset, labels, message } = await this.#kept.call<ViolationArrays>(
+    const { kind, labelOffset, labels, message } = await this.#object.call<ViolationArrays>(
       'dualViolations',
       [],
       task,
@@ -262,7 +262,7 @@ export class EngineDiagram implements Diagram {
       const violations = await this.#violations({ signal: task.signal });
       if (violations.length === 0) return undefined;
       const finding = partOf(task, 0, shareOfSites);
-      return this.#kept.call<SurfacePoints>('repairedSites', [most], finding);
+      return this.#object.call<SurfacePoints>('repairedSites', [most], finding);
     });
     if (sites) return this.#anew(sites, partOf(task, shareOfSites, 1));
     task.onProgress?.(1);
@@ -271,13 +271,13 @@ export class EngineDiagram implements Diagram {
 
   /** The diagram of other sites on the same mesh. */
   async #anew(sites: SurfacePoints, task: TaskOptions): Promise<EngineDiagram> {
-    const { engine, handle } = this.#kept;
+    const { engine, handle } = this.#object;
     const opened = await engine.openDiagram(handle, sites, this.#form, task);
     return new EngineDiagram(engine, this.#form, sites, opened);
   }
 
   dispose(): void {
-    this.#kept.dispose();
+    this.#object.dispose();
   }
 
   [disposeSymbol](): void {

@@ -20,7 +20,7 @@ import {
   type LengthsJson,
   type PlacedPointsJson,
   type SurfacePointsJson,
-} from './formats.js';
+} from './json_forms.js';
 import { GlbBuilder } from './glb.js';
 import { ply } from './ply.js';
 import type { Distances, SurfacePath, VertexDistances } from './results.js';

@@ -3,7 +3,7 @@
 // Options of the functions that write files: how a result is written, and the mesh that some formats
 // need besides.
 
-import { isObject, show, toOptions, toResult, type Complete, type Usual } from './checks.js';
+import { isObject, show, toOptions, toResult, type Complete, type DefaultsOf } from './checks.js';
 import { invalidArgument } from './errors.js';
 import type { Mesh } from './types.js';
 
@@ -15,7 +15,7 @@ export interface FileOptions {
 
 /** Options of a JSON form. */
 export interface JsonOptions extends FileOptions {
-  /** The name of the unit that lengths are in then, to be written with them. */
+  /** The name of the unit that lengths have after `scale`; it is written with them. */
   unit?: string | undefined;
 }
 
@@ -31,11 +31,14 @@ export interface SurfaceFileOptions extends FileOptions {
 /** The options of a writer, with defaults for those left out; checks those that several have. */
 export function toFileOptions<
   Options extends FileOptions,
-  const Defaults extends Usual<Omit<Options, 'scale'>>,
->(options: Options | undefined, usual: Defaults): Complete<Options, Defaults> & { scale: number } {
+  const Defaults extends DefaultsOf<Omit<Options, 'scale'>>,
+>(
+  options: Options | undefined,
+  defaults: Defaults,
+): Complete<Options, Defaults> & { scale: number } {
   if (isObject(options) && 'positions' in options && 'indices' in options)
     throw invalidArgument('options is a mesh: pass it as { mesh }');
-  const all = toOptions<object, object>(options, { ...usual, scale: 1 }) as {
+  const all = toOptions<object, object>(options, { ...defaults, scale: 1 }) as {
     scale: number;
     unit?: string;
     mesh?: AttributeSource;

@@ -31,14 +31,10 @@ export type { CompileOptions, CompiledModule, ErrorCode, LoadOptions, Modules, W
 export { GeodesicVoronoiError };
 export { gltfResourceUris } from './input/gltf_document.js';
 export { type FindModelOptions, type FoundModel, findModel, listModels } from './find_model.js';
-export type {
-  DiagramArrays,
-  DiagramJson,
-  LengthsJson,
-  PlacedPointsJson,
-  SurfacePointsJson,
-} from './formats.js';
-export { diagramGlb, diagramJson, diagramObj, pointsJson } from './formats.js';
+export type { LengthsJson, PlacedPointsJson, SurfacePointsJson } from './json_forms.js';
+export { pointsJson } from './json_forms.js';
+export type { DiagramArrays, DiagramJson } from './diagram_formats.js';
+export { diagramGlb, diagramJson, diagramObj } from './diagram_formats.js';
 export type { DistancesFileOptions, DistancesJson, PathsJson } from './distance_formats.js';
 export {
   distancesGlb,

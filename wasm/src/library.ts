@@ -6,7 +6,7 @@
 import { toTaskOptions } from './checks.js';
 import type { Engine } from './engine.js';
 import { meshDefaults, toMeshBuild, toMeshInput } from './arguments.js';
-import { disposeSymbol } from './kept.js';
+import { disposeSymbol } from './engine_object.js';
 import { EngineMesh } from './mesh.js';
 import type { Triangles } from './triangles.js';
 import type { GeodesicVoronoi, Mesh, MeshOptions, MeshSource } from './types.js';

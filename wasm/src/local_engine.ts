@@ -20,7 +20,7 @@ import {
 } from './engine.js';
 import { GeodesicVoronoiError } from './errors.js';
 import { type InputModules, readModel } from './input/read_model.js';
-import { settled } from './kept.js';
+import { settled } from './engine_object.js';
 import type { DiagramData, MeshInfo, MeshPart, SurfacePoints } from './results.js';
 import { openSeamsNote } from './sentences.js';
 import { inSlices, partOf, type SlicedWork } from './slices.js';
@@ -198,7 +198,7 @@ export class LocalEngine implements Engine {
     return this.#answer<Result>(name, [pointer(), ...args], task, pointer);
   }
 
-  /** The answer of a function of core.wasm, worked on in slices; the listener is not told of its end. */
+  /** The answer of a function of core.wasm, worked on in slices; the caller reports the share 1. */
   async #answer<Result>(
     name: string,
     args: readonly Argument[],

@@ -34,7 +34,7 @@ import {
   type GivenDensity,
   type GivenPoints,
 } from './arguments.js';
-import { disposeSymbol, Kept } from './kept.js';
+import { disposeSymbol, EngineObject } from './engine_object.js';
 import {
   metrics,
   type BareComponents,
@@ -78,7 +78,7 @@ export class EngineMesh implements Mesh {
   readonly uvs: Float64Array;
   readonly density: Float64Array;
   readonly parts: readonly MeshPart[];
-  readonly #kept: Kept;
+  readonly #object: EngineObject;
   /** The triangles before subdivision, and the ends of edges whose midpoints are the last vertices. */
   readonly #whole: Int32Array | undefined;
   readonly #ends: Int32Array;
@@ -98,7 +98,7 @@ export class EngineMesh implements Mesh {
     this.uvs = uvs;
     this.density = density;
     this.parts = parts;
-    this.#kept = new Kept(this, 'mesh', engine, handle);
+    this.#object = new EngineObject(this, 'mesh', engine, handle);
   }
 
   async sampleSites(
@@ -124,27 +124,28 @@ export class EngineMesh implements Mesh {
     const count = byRadius ? maxCount : toCount(wanted);
     const ofSampling = least === 0 ? task : partOf(task, 0, samplingShare);
     const sample = async (): Promise<SurfacePoints> => {
-      if (radius) return this.#kept.call('sampleSitesByRadius', [radius, method, seed], ofSampling);
+      if (radius)
+        return this.#object.call('sampleSitesByRadius', [radius, method, seed], ofSampling);
       if (isWorstFirst(method))
-        return this.#kept.call('sampleSitesWorstFirst', [count, method, seed], ofSampling);
+        return this.#object.call('sampleSitesWorstFirst', [count, method, seed], ofSampling);
       const weights = await this.#densityOf(given, task.signal);
-      return this.#kept.call('sampleSites', [count, method, seed, weights], ofSampling);
+      return this.#object.call('sampleSites', [count, method, seed, weights], ofSampling);
     };
     const { face, bary } = await sample();
     if (least === 0) return { face, bary };
     const covering = partOf(task, samplingShare, 1);
-    return this.#kept.call('coverComponents', [face, bary, least, count, seed], covering);
+    return this.#object.call('coverComponents', [face, bary, least, count, seed], covering);
   }
 
   async bareComponents(sites: SurfacePointsInput, options?: TaskOptions): Promise<BareComponents> {
     const task = toTask(options);
-    const { face, bary } = await this.#kept.onSurface(toPoints('sites', sites), task);
-    return this.#kept.call('bareComponents', [face, bary], task);
+    const { face, bary } = await this.#object.onSurface(toPoints('sites', sites), task);
+    return this.#object.call('bareComponents', [face, bary], task);
   }
 
   async curvatureDensity(options?: TaskOptions): Promise<Float64Array<ArrayBuffer>> {
     const task = toTask(options);
-    const { values } = await this.#kept.call<{ values: Float64Array<ArrayBuffer> }>(
+    const { values } = await this.#object.call<{ values: Float64Array<ArrayBuffer> }>(
       'curvatureDensity',
       [],
       task,
@@ -154,7 +155,7 @@ export class EngineMesh implements Mesh {
 
   async closestPoints(positions: ArrayLike<number>, options?: TaskOptions): Promise<ClosestPoints> {
     const task = toTask(options);
-    return this.#kept.call('closestPoints', [toPlaces('positions', positions)], task);
+    return this.#object.call('closestPoints', [toPlaces('positions', positions)], task);
   }
 
   async readPoints(json: unknown, options?: TaskOptions): Promise<SurfacePoints> {
@@ -165,7 +166,7 @@ export class EngineMesh implements Mesh {
     if (whole && 3 * (file.faces ?? 0) === whole.length && 'face' in given)
       return this.#onParts(given, whole, task);
     requireSameMesh(file, this.info);
-    const points = await this.#kept.onSurface(given, task);
+    const points = await this.#object.onSurface(given, task);
     requireFaces(points, this.info.inputFaces);
     return points;
   }
@@ -175,7 +176,7 @@ export class EngineMesh implements Mesh {
     options?: TaskOptions,
   ): Promise<Float64Array<ArrayBuffer>> {
     const task = toTask(options);
-    const { face, bary } = await this.#kept.onSurface(toPoints('points', points), task);
+    const { face, bary } = await this.#object.onSurface(toPoints('points', points), task);
     return this.#placesOf({ face, bary }, this.indices);
   }
 
@@ -201,7 +202,7 @@ export class EngineMesh implements Mesh {
     task: TaskOptions,
   ): Promise<SurfacePoints> {
     const places = this.#placesOf(points, whole);
-    const found = await this.#kept.onSurface(
+    const found = await this.#object.onSurface(
       { position: places.map((x) => (Number.isNaN(x) ? 0 : x)) },
       task,
     );
@@ -216,8 +217,8 @@ export class EngineMesh implements Mesh {
   async voronoi(sites: SurfacePointsInput, options?: VoronoiOptions): Promise<Diagram> {
     const { metric, detail, ...task } = toTaskOptions(options, { metric: metrics[0], detail: 0 });
     const form = { metric: toMetric(metric), detail: toDetail(detail) };
-    const points = await this.#kept.onSurface(toPoints('sites', sites), task);
-    const { engine, handle } = this.#kept;
+    const points = await this.#object.onSurface(toPoints('sites', sites), task);
+    const { engine, handle } = this.#object;
     const opened = await engine.openDiagram(handle, points, form, task);
     return new EngineDiagram(engine, form, points, opened);
   }
@@ -225,10 +226,10 @@ export class EngineMesh implements Mesh {
   async distances(sites: SurfacePointsInput, options?: DistancesOptions): Promise<Distances> {
     const { metric, ...task } = toTaskOptions(options, { metric: metrics[0] });
     toMetric(metric);
-    const points = await this.#kept.onSurface(toPoints('sites', sites), task);
+    const points = await this.#object.onSurface(toPoints('sites', sites), task);
     const { face, bary } = points;
     const args = [face, bary, metric];
-    const known = await this.#kept.call<VertexDistances>('distancesAtVertices', args, task);
+    const known = await this.#object.call<VertexDistances>('distancesAtVertices', args, task);
     return { metric, sites: points, ...known };
   }
 
@@ -239,9 +240,9 @@ export class EngineMesh implements Mesh {
   ): Promise<SurfacePath> {
     const task = toTask(options);
     const ends = [toPoint('from', from), toPoint('to', to)];
-    const start = await this.#kept.onSurface(ends[0], task);
-    const end = await this.#kept.onSurface(ends[1], task);
-    return this.#kept.call('shortestPath', [start.face, start.bary, end.face, end.bary], task);
+    const start = await this.#object.onSurface(ends[0], task);
+    const end = await this.#object.onSurface(ends[1], task);
+    return this.#object.call('shortestPath', [start.face, start.bary, end.face, end.bary], task);
   }
 
   cvt(
@@ -283,9 +284,9 @@ export class EngineMesh implements Mesh {
   async *#iterations(wanted: Promise<Tessellation>): AsyncGenerator<CvtState, void, void> {
     const { sites, form, density, signal, onProgress, ...others } = await wanted;
     const settings = { ...others, density: await this.#densityOf(density, signal) };
-    const points = await this.#kept.onSurface(sites, { signal });
-    const { engine } = this.#kept;
-    const { handle } = await engine.openCvt(this.#kept.handle, points, settings, { signal });
+    const points = await this.#object.onSurface(sites, { signal });
+    const { engine } = this.#object;
+    const { handle } = await engine.openCvt(this.#object.handle, points, settings, { signal });
     try {
       for (;;) {
         const advanced = await engine.advanceCvt(handle, form, { signal });
@@ -309,9 +310,9 @@ export class EngineMesh implements Mesh {
     const settings = toCvtSettings(others);
     const [given, list] = [toDensity(density, this.density), toPoints('sites', sites)];
     const perVertex = await this.#densityOf(given, signal);
-    const { face, bary } = await this.#kept.onSurface(list, task);
+    const { face, bary } = await this.#object.onSurface(list, task);
     const shareOfSites = 0.95; // the rest is the diagram
-    const remeshed = await this.#kept.call<SurfacePoints>(
+    const remeshed = await this.#object.call<SurfacePoints>(
       'remeshedSites',
       [face, bary, ...cvtArguments({ ...settings, density: perVertex }), most],
       partOf(task, 0, shareOfSites),
@@ -327,7 +328,7 @@ export class EngineMesh implements Mesh {
   }
 
   dispose(): void {
-    this.#kept.dispose();
+    this.#object.dispose();
   }
 
   [disposeSymbol](): void {

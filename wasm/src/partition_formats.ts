@@ -19,7 +19,7 @@ import {
   type LengthsJson,
   type PlacedPointsJson,
   type SurfacePointsJson,
-} from './formats.js';
+} from './json_forms.js';
 import { emptyGlb, GlbBuilder } from './glb.js';
 import { ply } from './ply.js';
 import type { Partition, SurfacePoints } from './results.js';

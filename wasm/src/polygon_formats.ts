@@ -16,7 +16,7 @@ import {
   placedPointsJson,
   type LengthsJson,
   type PlacedPointsJson,
-} from './formats.js';
+} from './json_forms.js';
 import { emptyGlb, GlbBuilder } from './glb.js';
 import { ply, type PlyColumns } from './ply.js';
 import type { PolygonMesh, PolygonTopology } from './results.js';

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A region of a diagram as callers see it.
-import { inspectSymbol } from './kept.js';
+import { inspectSymbol } from './engine_object.js';
 import type { DiagramData } from './results.js';
 import type { Region } from './types.js';
 

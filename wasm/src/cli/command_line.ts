@@ -129,9 +129,9 @@ function advice(command: CommandName, name: string): string {
 }
 
 function parsedValue(name: OptionName, given: string | boolean | undefined): unknown {
-  const { parse, default: usual, optional }: OptionSpec = options[name];
+  const { parse, default: otherwise, optional }: OptionSpec = options[name];
   if (!parse) return given === true;
-  const text = given ?? usual;
+  const text = given ?? otherwise;
   if (text === undefined && optional) return undefined;
   if (typeof text !== 'string') throw new UsageError(`--${name} is missing`);
   return parse(text, `--${name}`);

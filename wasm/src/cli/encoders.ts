@@ -3,14 +3,7 @@
 // Files of the results, by the ending of the output.
 
 import { extname } from 'node:path';
-import {
-  diagramGlb,
-  diagramJson,
-  diagramObj,
-  placedPointsJson,
-  pointsJson,
-  lengthsJson,
-} from '../formats.js';
+import { diagramGlb, diagramJson, diagramObj } from '../diagram_formats.js';
 import {
   distancesGlb,
   distancesJson,
@@ -18,6 +11,7 @@ import {
   pathsJson,
   pathsObj,
 } from '../distance_formats.js';
+import { lengthsJson, placedPointsJson, pointsJson } from '../json_forms.js';
 import { partitionGlb, partitionJson, partitionObj, partitionPly } from '../partition_formats.js';
 import { polygonGlb, polygonJson, polygonObj, polygonPly, polygonStl } from '../polygon_formats.js';
 import { ply, type PlyColumns } from '../ply.js';

@@ -54,10 +54,10 @@ export function commandHelp(command: CommandName): string {
   const rows = names
     .filter((name) => taken.includes(name))
     .map((name): [string, string] => {
-      const { short, value, default: usual, help }: OptionSpec = options[name];
+      const { short, value, default: otherwise, help }: OptionSpec = options[name];
       return [
         `${short ? `-${short}, ` : '    '}--${name}${value ? ` ${value}` : ''}`,
-        !usual ? help : `${help} (default: ${usual})`,
+        !otherwise ? help : `${help} (default: ${otherwise})`,
       ];
     });
   return `${summary}

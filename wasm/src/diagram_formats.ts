@@ -5,29 +5,17 @@
 import { isObject, toResult } from './checks.js';
 import { toFileOptions, type FileOptions, type JsonOptions } from './file_options.js';
 import { emptyGlb, GlbBuilder } from './glb.js';
+import {
+  lengthsJson,
+  placedPointsJson,
+  pointsJson,
+  type LengthsJson,
+  type PlacedPointsJson,
+  type SurfacePointsJson,
+} from './json_forms.js';
 import { regionsOf } from './region.js';
-import type { DiagramData, PlacedPoints, SurfacePoints } from './results.js';
+import type { DiagramData, PlacedPoints } from './results.js';
 import type { Diagram } from './types.js';
-
-/** The JSON form of a list of points. */
-export interface SurfacePointsJson {
-  face: number[];
-  bary: number[];
-}
-
-/** The JSON form of a list of points with where they are. */
-export type PlacedPointsJson = SurfacePointsJson & { position: number[] };
-
-/** What lengths in a JSON form are in. */
-export interface LengthsJson {
-  /** The factor from the input's lengths to those of the file, and their unit there, if known. */
-  scale: number;
-  unit?: string;
-}
-
-export function lengthsJson({ scale = 1, unit }: JsonOptions): LengthsJson {
-  return { scale, ...(unit !== undefined && { unit }) };
-}
 
 /** The JSON form of a diagram; every index in `loops`, `points` and `point` counts the points. */
 export interface DiagramJson extends LengthsJson {
@@ -111,10 +99,6 @@ function facesOfArcs({ segments, arcs }: DiagramData): number[][] {
   );
 }
 
-export function placedPointsJson(points: PlacedPoints, scale: number): PlacedPointsJson {
-  return { ...pointsJson(points), position: Array.from(points.position, (x) => scale * x) };
-}
-
 function pointsAt({ face, bary, position }: PlacedPoints, indices: Uint32Array): PlacedPoints {
   const triples = (values: Float64Array) =>
     Float64Array.from(
@@ -126,11 +110,6 @@ function pointsAt({ face, bary, position }: PlacedPoints, indices: Uint32Array):
     bary: triples(bary),
     position: triples(position),
   };
-}
-
-export function pointsJson(points: SurfacePoints): SurfacePointsJson {
-  const { face, bary } = toResult('points', points, 'face', 'bary');
-  return { face: [...face], bary: [...bary] };
 }
 
 /** Arrays of a diagram, or a diagram that has them. */

@@ -22,7 +22,7 @@ const backstop = new FinalizationRegistry<{ engine: Engine; handle: Handle }>(
 );
 
 /** The engine's object behind a mesh or a diagram, until that is disposed. */
-export class Kept {
+export class EngineObject {
   readonly engine: Engine;
   readonly #what: string;
   readonly #handle: Handle;
