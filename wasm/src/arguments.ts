@@ -48,6 +48,11 @@ export const meshDefaults = {
   minComponent: 0,
 } as const;
 
+export const diagramDefaults = { metric: metrics[0], detail: 0 } as const;
+
+/** The default of `sampling` depends on whether a radius is given. */
+export const samplingDefaults = { seed: 1, perComponent: 0, density: [] } as const;
+
 /** How the mesh builder makes a mesh. */
 export function toMeshBuild({ maxEdge, weld, orientation, minComponent }: MeshBuild): MeshBuild {
   return {
@@ -253,7 +258,7 @@ export function toPerComponent(perComponent: number): number {
 
 export const tessellationDefaults = {
   method: 'lbfgs',
-  metric: metrics[0],
+  metric: diagramDefaults.metric,
   iterations: 50,
   energyTolerance: 0,
   moveTolerance: 0,

@@ -14,9 +14,11 @@ import {
 } from './engine.js';
 import { GeodesicVoronoiError, invalidArgument } from './errors.js';
 import {
+  diagramDefaults,
   isWorstFirst,
   maxCount,
   repairDefaults,
+  samplingDefaults,
   tessellationDefaults,
   toCount,
   toCvtSettings,
@@ -35,17 +37,16 @@ import {
   type GivenPoints,
 } from './arguments.js';
 import { disposeSymbol, EngineObject } from './engine_object.js';
-import {
-  metrics,
-  type BareComponents,
-  type ClosestPoints,
-  type Distances,
-  type MeshInfo,
-  type MeshPart,
-  type Metric,
-  type SurfacePath,
-  type SurfacePoints,
-  type VertexDistances,
+import type {
+  BareComponents,
+  ClosestPoints,
+  Distances,
+  MeshInfo,
+  MeshPart,
+  Metric,
+  SurfacePath,
+  SurfacePoints,
+  VertexDistances,
 } from './results.js';
 import { pointsFile, requireSameMesh } from './points_file.js';
 import { partOf } from './slices.js';
@@ -107,10 +108,8 @@ export class EngineMesh implements Mesh {
   ): Promise<SurfacePoints> {
     const byRadius = isObject(wanted);
     const { seed, sampling, perComponent, density, ...task } = toTaskOptions(options, {
-      seed: 1,
+      ...samplingDefaults,
       sampling: byRadius ? 'farthest' : 'random',
-      perComponent: 0,
-      density: [],
     });
     const least = toPerComponent(perComponent);
     const method = toSampling(sampling);
@@ -215,7 +214,7 @@ export class EngineMesh implements Mesh {
   }
 
   async voronoi(sites: SurfacePointsInput, options?: VoronoiOptions): Promise<Diagram> {
-    const { metric, detail, ...task } = toTaskOptions(options, { metric: metrics[0], detail: 0 });
+    const { metric, detail, ...task } = toTaskOptions(options, diagramDefaults);
     const form = { metric: toMetric(metric), detail: toDetail(detail) };
     const points = await this.#object.onSurface(toPoints('sites', sites), task);
     const { engine, handle } = this.#object;
@@ -224,7 +223,7 @@ export class EngineMesh implements Mesh {
   }
 
   async distances(sites: SurfacePointsInput, options?: DistancesOptions): Promise<Distances> {
-    const { metric, ...task } = toTaskOptions(options, { metric: metrics[0] });
+    const { metric, ...task } = toTaskOptions(options, { metric: diagramDefaults.metric });
     toMetric(metric);
     const points = await this.#object.onSurface(toPoints('sites', sites), task);
     const { face, bary } = points;

@@ -6,6 +6,7 @@ import { parseArgs } from 'node:util';
 import { nearestName } from '../checks.js';
 import { commandHelp, help, overview } from './help.js';
 import {
+  areRandom,
   commands,
   isCommand,
   options,
@@ -41,14 +42,14 @@ export function parseCommandLine(args: string[], version: string): Invocation | 
     throw new UsageError('only one file can be standard input');
   const names: readonly OptionName[] = commands[command].options;
   const values = Object.fromEntries(names.map((name) => [name, parsedValue(name, texts[name])]));
-  if (names.includes('sites')) requireSites(values as Partial<Values<'cvt'>>, texts);
+  if (names.includes('sites')) requireSites(values as Values<'cvt'>, texts);
   if (names.includes('repair') && texts['max-added'] !== undefined && !texts.repair)
     throw new UsageError('--max-added is about a repair: --repair is missing');
   return { command, mesh: positionals[0], meshes: positionals, values } as Invocation;
 }
 
 /** Requires exactly one source of sites, and no option of sampling that does not go with it. */
-function requireSites(values: Partial<Values<'cvt'>>, texts: Texts): void {
+function requireSites(values: Values<'cvt'>, texts: Texts): void {
   const { sites, radius, sampling, density, iterations } = values;
   if (sites === undefined && radius === undefined)
     throw new UsageError('--sites N|FILE or --radius LENGTH is missing');
@@ -59,8 +60,7 @@ function requireSites(values: Partial<Values<'cvt'>>, texts: Texts): void {
   const ofSampling = (['sampling', 'per-component', 'seed'] as const).find((name) => texts[name]);
   if (typeof sites === 'string' && ofSampling)
     throw new UsageError(`--${ofSampling} is for sites that are sampled, not those of a file`);
-  const isRandom = radius === undefined && (sampling ?? 'random') === 'random';
-  if (density !== undefined && iterations === 0 && typeof sites !== 'string' && !isRandom)
+  if (density !== undefined && iterations === 0 && typeof sites !== 'string' && !areRandom(values))
     throw new UsageError(
       '--density spreads random sites and moves others in iterations: ' +
         `with --iterations 0, ${radius === undefined ? `--sampling ${sampling}` : '--radius'} does not follow it`,

@@ -41,12 +41,7 @@ import {
 } from './sites.js';
 import type { Lengths } from './values.js';
 
-interface Request<Command extends CommandName> {
-  mesh: string;
-  /** All meshes named; only `info` takes several. */
-  meshes: string[];
-  values: Values<Command>;
-}
+type Request<Command extends CommandName> = Extract<Invocation, { command: Command }>;
 
 export function execute(invocation: Invocation): Promise<void> {
   switch (invocation.command) {

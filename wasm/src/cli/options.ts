@@ -4,12 +4,14 @@
 // help says of it.
 
 import {
+  diagramDefaults,
   maxCount,
   maxDetail,
   maxLimit,
   meshDefaults,
   ranges,
   repairDefaults,
+  samplingDefaults,
   tessellationDefaults,
 } from '../arguments.js';
 import { partitionLayouts } from '../partition_formats.js';
@@ -66,13 +68,13 @@ export const options = {
   'per-component': {
     value: 'N',
     parse: integer(0, maxCount),
-    default: '0',
+    default: String(samplingDefaults.perComponent),
     help: 'The least number of sites on each component',
   },
   seed: {
     value: 'S',
     parse: integer(0),
-    default: '1',
+    default: String(samplingDefaults.seed),
     help: 'Seed of the sampling; the same gives the same sites',
   },
   points: {
@@ -148,13 +150,13 @@ export const options = {
   metric: {
     value: 'METRIC',
     parse: oneOf(metrics),
-    default: metrics[0],
+    default: diagramDefaults.metric,
     help: 'exact: polyhedral distance; dgpc: approximate, quicker',
   },
   detail: {
     value: 'N',
     parse: integer(0, maxDetail),
-    default: '0',
+    default: String(diagramDefaults.detail),
     help: `Split triangles of several regions into parts about 2^N times shorter than the mean edge; at most ${maxDetail}`,
   },
   units: {
@@ -363,6 +365,11 @@ export type Invocation = {
     values: Values<Command>;
   };
 }[CommandName];
+
+/** Whether sites that are sampled are random ones, which alone follow a density. */
+export function areRandom({ radius, sampling }: Pick<AllValues, 'radius' | 'sampling'>): boolean {
+  return radius === undefined && (sampling ?? 'random') === 'random';
+}
 
 export function isCommand(name: string): name is CommandName {
   return Object.hasOwn(commands, name);

@@ -8,7 +8,7 @@ import type { SurfacePoints } from '../results.js';
 import { counted, integer } from '../sentences.js';
 import type { Density, Mesh } from '../types.js';
 import { FileError, type Output, readModel } from './files.js';
-import { standard, type Values } from './options.js';
+import { areRandom, standard, type Values } from './options.js';
 import { type GivenPoints, readPoints } from './points.js';
 import { ProgressBar } from './progress.js';
 import type { Lengths } from './values.js';
@@ -118,8 +118,7 @@ async function sampled(
 ): Promise<PointsOnSurface> {
   const { sites, radius, sampling, seed, 'per-component': perComponent, units } = values;
   const wanted = radius === undefined ? (sites as number) : { radius: radius / units.scale };
-  const isRandom = radius === undefined && (sampling ?? 'random') === 'random';
-  const density = isRandom ? wantedDensity : undefined;
+  const density = areRandom(values) ? wantedDensity : undefined;
   const found = await withProgress(values, (onProgress) =>
     mesh.sampleSites(wanted, { sampling, seed, perComponent, density, onProgress }),
   );
