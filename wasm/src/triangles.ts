@@ -10,11 +10,11 @@ export interface Triangles {
   normals: Float64Array;
   uvs: Float64Array;
   density: Float64Array;
-  /** Per triangle the one that it is part of, if triangles have been subdivided. */
+  /** After a subdivision: per triangle the one that it is part of. */
   parents?: Int32Array;
-  /** The triangles before that. */
+  /** The `indices` before the subdivision. */
   whole?: Int32Array;
-  /** Per vertex that came with that, these being the last: the two that it is the midpoint of. */
+  /** The ends of the edges whose midpoints are the last vertices: two vertices per midpoint. */
   ends?: Int32Array;
 }
 

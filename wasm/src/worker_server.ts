@@ -82,7 +82,7 @@ export function serve(port: Port, loadEngine: (sources: EngineSources) => Promis
   };
 }
 
-/** The buffers of all arrays in a message. Results are copies already: they move, not copied again. */
+/** The buffers of all arrays in a message. They are transferred, since results are copies already. */
 function buffersOf(value: unknown, found = new Set<ArrayBuffer>()): Set<ArrayBuffer> {
   if (ArrayBuffer.isView(value)) found.add(value.buffer as ArrayBuffer);
   else if (typeof value === 'object' && value !== null)

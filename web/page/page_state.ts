@@ -102,7 +102,7 @@ export function readPageState(viewer: GeodesicVoronoiElement, hash: string): voi
     const others = ofFile.filter(restore);
     if (buildAttributes.some((name) => others.includes(name))) return; // The model is opened anew.
     waiting.abort();
-    // Empty where all sites were removed.
+    // The list of sites is empty where all were removed.
     if (model && at !== null) showSites(viewer, at);
     // The camera's place applies to this model only. The element takes it up at the end of the task.
     queueMicrotask(() => viewer.removeAttribute('camera-orbit'));

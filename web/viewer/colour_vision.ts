@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How different two colours look, to all readers.
+// Colours: as CSS has them, in linear RGB, and how different two look, to all readers.
 
 type Triple = readonly [number, number, number];
 type Matrix = readonly [Triple, Triple, Triple];
@@ -56,6 +56,11 @@ export function linear(srgb: number): Triple {
     return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
   };
   return [channel(16), channel(8), channel(0)];
+}
+
+/** An sRGB colour as CSS has it. */
+export function css(srgb: number): string {
+  return `#${srgb.toString(16).padStart(6, '0')}`;
 }
 
 function times(matrix: Matrix, [r, g, b]: Triple): Triple {

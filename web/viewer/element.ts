@@ -24,7 +24,7 @@ import { chosenFiles, droppedFiles, fetchModelFiles, named } from './model_files
 import { watchNearness } from './nearness.js';
 import { ReflectingElement } from './reflecting_element.js';
 import type { CvtStatus, Status } from './session_listener.js';
-import { type SitePlace, surfacePointsOf } from './site_history.js';
+import { type PointList, type SitePlace, surfacePointsOf } from './site_history.js';
 import type { Session } from './session.js';
 import { Viewer } from './viewer.js';
 
@@ -152,7 +152,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     return surfacePointsOf(this.#session?.sites ?? []);
   }
 
-  set sites(sites: { face: ArrayLike<number>; bary: ArrayLike<number> } | number | string) {
+  set sites(sites: PointList | number | string) {
     if (typeof sites === 'object') this.#editable.replaceSites(sites);
     else this.setAttribute('sites', String(sites));
   }

@@ -2,7 +2,7 @@
 //
 // The colours of labels, as vertex attributes hold them.
 
-import { linear } from './colour_vision.js';
+import { css, linear } from './colour_vision.js';
 import { dropped, unreachable } from './face_label.js';
 import { toneColour } from './region_colours.js';
 
@@ -73,10 +73,6 @@ export class LabelColours {
 /** The share of a density's colour: a root, so that a slight density is seen, too. */
 function tintShare(tint: number): number {
   return tintOpacity * Math.sqrt(Math.abs(tint));
-}
-
-function css(srgb: number): string {
-  return `#${srgb.toString(16).padStart(6, '0')}`;
 }
 
 function at(label: number): number {

@@ -14,7 +14,7 @@ import { DrawingBuilder } from './drawing_builder.js';
 import { sentence } from './failure.js';
 import { lastSegment, type NamedFiles } from './model_files.js';
 import { SceneMesh } from './scene_mesh.js';
-import type { Tints } from './site_history.js';
+import type { PointList, Tints } from './site_history.js';
 
 /** How sites are sampled, by default as the library does. */
 export interface SiteSampling {
@@ -31,7 +31,7 @@ export interface SiteSampling {
 export interface Opening {
   build: Pick<MeshOptions, 'maxEdge' | 'weld' | 'orientation' | 'minComponent'>;
   siteSampling: SiteSampling;
-  /** What is put where it was on a mesh of the same model. */
+  /** Sites and density of another mesh of the same model, which are put where they were. */
   kept?: Kept | undefined;
 }
 
@@ -59,8 +59,6 @@ export interface OpenedMesh {
   /** Makes further drawings of the mesh. */
   builder: DrawingBuilder;
 }
-
-export type PointList = SurfacePoints | { face: number[]; bary: number[] };
 
 /** The shares of the work that are done when the files have been read, and when the mesh is there. */
 const readShare = 0.4;

@@ -10,6 +10,7 @@ import {
   type LineBasicMaterial,
   type LineSegments,
 } from 'three';
+import { css } from './colour_vision.js';
 import type { DiagramGeometry, PreparedDiagram } from './diagram_geometry.js';
 import type { DiagramSummary } from './diagram_summary.js';
 import type { DistanceScale } from './distance_scale.js';
@@ -266,7 +267,7 @@ export class ModelDrawing {
   /** The colour of a region, as CSS has it. */
   regionColour(label: number): string | undefined {
     if (label < 0 || label >= this.#tones.length) return undefined;
-    return `#${toneColour(this.#tones[label]).toString(16).padStart(6, '0')}`;
+    return css(toneColour(this.#tones[label]));
   }
 
   /**

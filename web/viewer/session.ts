@@ -27,7 +27,14 @@ import {
   shownDiagram,
   type ShownDiagram,
 } from './shown_diagram.js';
-import { placeOf, SiteHistory, type SitePlace, type Sites, type Tints } from './site_history.js';
+import {
+  placeOf,
+  type PointList,
+  SiteHistory,
+  type SitePlace,
+  type Sites,
+  type Tints,
+} from './site_history.js';
 import { without } from './site_step.js';
 
 /**
@@ -121,10 +128,7 @@ export class Session {
     });
   }
 
-  /**
-   * Resolves to whether a task is carried out. If it fails or is cancelled, the attributes go back to
-   * what is shown.
-   */
+  /** Resolves to whether a task is carried out. If not, the attributes go back to what is shown. */
   async #outcome(
     task: RestartableTask,
     failure: FailureType,
@@ -143,7 +147,7 @@ export class Session {
     return isDone;
   }
 
-  replaceSites(sites: { face: ArrayLike<number>; bary: ArrayLike<number> }): void {
+  replaceSites(sites: PointList): void {
     if (this.#mesh) this.#record(this.#history.createAll(sites));
   }
 

@@ -13,7 +13,8 @@ export interface Site {
 
 export type SitePlace = Pick<Site, 'face' | 'bary'>;
 export type Sites = readonly Site[];
-type PointList = { face: ArrayLike<number>; bary: ArrayLike<number> };
+/** Points of the surface, in arrays of any kind. */
+export type PointList = { face: ArrayLike<number>; bary: ArrayLike<number> };
 
 export function surfacePointsOf(sites: Sites): SurfacePoints {
   return {

@@ -22,7 +22,7 @@ import { PointerGestures } from './pointer_gestures.js';
 import { Session } from './session.js';
 import type { Drawable, SessionListener } from './session_listener.js';
 import { drawnDiagram, factsOf, type ShownDiagram } from './shown_diagram.js';
-import { type SitePlace, type Sites, surfacePointsOf } from './site_history.js';
+import { type PointList, type SitePlace, type Sites, surfacePointsOf } from './site_history.js';
 import { type ContextListener, SharedRenderer } from './shared_renderer.js';
 import { Stage } from './stage.js';
 import { SurfaceTools, type Workpiece } from './surface_tools.js';
@@ -203,7 +203,7 @@ export class Viewer implements Workpiece {
     if (site) this.edit(() => this.session.removeSite(site.id));
   }
 
-  replaceSites(sites: { face: ArrayLike<number>; bary: ArrayLike<number> }): void {
+  replaceSites(sites: PointList): void {
     this.edit(() => this.session.replaceSites(sites));
   }
 
