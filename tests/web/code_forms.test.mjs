@@ -7,6 +7,13 @@ import { suite, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { transformSync } from 'esbuild';
 import { runnerImport } from 'vite';
+import {
+  diagramDefaults,
+  meshDefaults,
+  samplingDefaults,
+  tessellationDefaults,
+} from '../../dist/arguments.js';
+import { attributeDefaults } from '../../dist/viewer/attribute_defaults.js';
 
 const path = fileURLToPath(new URL('../../web/page/code_forms.ts', import.meta.url));
 const { codeOf, watchOrigin } = (await runnerImport(path, { configFile: false, logLevel: 'error' }))
@@ -40,6 +47,21 @@ suite('code', () => {
     for (const form of ['element', 'command'])
       assert.doesNotMatch(codeOf(viewer, model, 'even', form), /cvt-|--method/);
     assert.doesNotMatch(codeOf(viewerWith(ofPage), model, 'edited', 'element'), /cvt-/);
+  });
+
+  test('may leave out the defaults of attributes: the library has the same', () => {
+    const { method, iterations, energyTolerance } = tessellationDefaults;
+    const ofLibrary = {
+      ...{ ...meshDefaults, ...samplingDefaults, ...diagramDefaults },
+      ...{ cvtMethod: method, cvtIterations: iterations, cvtTolerance: energyTolerance },
+    };
+    const attribute = (name) => name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
+    const compared = Object.entries(ofLibrary).filter(
+      ([name]) => attributeDefaults[attribute(name)] !== undefined,
+    );
+    assert.equal(compared.length, 11);
+    for (const [name, value] of compared)
+      assert.equal(attributeDefaults[attribute(name)], String(value), name);
   });
 
   test('of the element shows the same view', () => {
