@@ -965,6 +965,10 @@ test('bad input: status 1, one line, no file', () => {
   );
   write('nothing.csv', '\n');
   fails(1, 'diagram shape.glb --sites nothing.csv -o d.json', /nothing\.csv: the file is empty/);
+  write('names.csv', 'x,y,z\n');
+  fails(1, 'diagram shape.glb --sites names.csv -o d.json', /names\.csv: it has no points/);
+  write('half.json', '{"vertex": [0');
+  fails(1, 'diagram shape.glb --sites half.json -o d.json', /half\.json: it is no JSON .*: \S/);
   fails(1, 'diagram shape.glb --sites many.json -o d.json', /many\.json/);
   fails(1, 'diagram shape.glb --sites outside.json -o d.json', /8/);
   write('three.json', '{"vertex": [0, 1, 2]}');
