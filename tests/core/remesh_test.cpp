@@ -213,19 +213,22 @@ TEST(Triangulate, KeepsSidesAndTurnsNoTriangleOver) {
   }
 }
 
-/// Two quadrangles on both sides of 0-1-2, which is bent at 1: 0-2 is the Delaunay diagonal of
-/// both.
-TEST(Triangulate, GivesTwoPolygonsAroundAVertexDifferentDiagonals) {
-  PolygonMesh polygons;
-  polygons.positions = {{0, 0, 0}, {1, 0, 2}, {2, 0, 0}, {1, 1, -2}, {1, -1, -2}};
-  polygons.faces.add(std::vector<int>{0, 1, 2, 3});
-  polygons.faces.add(std::vector<int>{4, 2, 1, 0});
-  ASSERT_TRUE(topologyOf(polygons).isManifold);
-  PolygonMesh triangles = polygons;
-  triangles.faces = {};
-  for (const auto& triangle : triangulate(polygons).triangles) triangles.faces.add(triangle);
-  EXPECT_EQ(triangles.faces.size(), 4);
-  EXPECT_TRUE(topologyOf(triangles).isManifold);
+/// Two polygons on both sides of 0-1-2, which is bent at 1: 0-2 is a Delaunay diagonal of both.
+TEST(Triangulate, JoinsNoTwoVerticesTwice) {
+  const std::vector<std::vector<std::vector<int>>> cases = {{{0, 1, 2, 3}, {5, 2, 1, 0}},
+                                                            {{0, 1, 2, 3, 4}, {6, 5, 2, 1, 0}}};
+  for (const auto& faces : cases) {
+    PolygonMesh polygons;
+    polygons.positions = {{0, 0, 0},  {1, 0, 2},   {2, 0, 0},  {2, 2, -2},
+                          {0, 2, -2}, {2, -2, -2}, {0, -2, -2}};
+    for (const auto& face : faces) polygons.faces.add(face);
+    ASSERT_TRUE(topologyOf(polygons).isManifold);
+    PolygonMesh triangles = polygons;
+    triangles.faces = {};
+    for (const auto& triangle : triangulate(polygons).triangles) triangles.faces.add(triangle);
+    EXPECT_EQ(triangles.faces.size(), 2 * (static_cast<int>(faces[0].size()) - 2));
+    EXPECT_TRUE(topologyOf(triangles).isManifold);
+  }
 }
 
 }  // namespace

@@ -31,12 +31,12 @@ struct PolygonTriangles {
 };
 
 /// Cuts every polygon along diagonals: as a Delaunay triangulation of its projection to the plane
-/// of its mean normal, where that is convex. A quadrangle with a vertex that two polygons surround
-/// is cut from there, else both might get one diagonal. In a dual, such a vertex is a site whose
-/// region another one cuts off, together with a run of the boundary. Sides and orientation stay, so
-/// the topology does, if no diagonal joins vertices that are joined already: none does in a dual
-/// without violations. O(n log n + d²) for n corners in all, and for a polygon of d corners, three
-/// or more; those with fewer have no triangle.
+/// of its mean normal, where that is convex. No diagonal joins two vertices that a side or an
+/// earlier diagonal joins, where there is another choice: there is one in a dual without
+/// violations. Sides and orientation stay, and so does the topology then. In a dual, the polygons
+/// on both sides of a site that they surround alone could get one diagonal: its region is cut off
+/// by another one, together with a run of the boundary. O(n log n + d² log n) for n corners in all,
+/// and for a polygon of d corners, three or more; those with fewer have no triangle.
 PolygonTriangles triangulate(const PolygonMesh& mesh);
 
 /// The topology of the surface that the faces of a polygon mesh make, joined at the vertices they

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <numeric>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -40,17 +41,6 @@ class PolygonHalfedges {
   /// The next halfedge that leaves the same vertex, counterclockwise; -1 past the last.
   int rotate(int h) const { return twin_[previous_[h]]; }
   int rotateBack(int h) const { return twin_[h] < 0 ? -1 : next_[twin_[h]]; }
-  /// Whether two faces surround the vertex that a halfedge leaves.
-  bool leavesBetweenTwoFaces(int h) const {
-    const int other = rotate(h);
-    return other >= 0 && other != h && rotate(other) == h;
-  }
-  /// The first corner with such a vertex of a quadrangle, which begins at a halfedge; -1 for none.
-  int cornerBetweenTwoFaces(int first) const {
-    for (int i = 0; i < 4; ++i)
-      if (leavesBetweenTwoFaces(first + i)) return i;
-    return -1;
-  }
   /// Whether every side has two different ends, and no side occurs twice in one direction.
   bool isOriented() const { return isOriented_; }
 
@@ -119,14 +109,12 @@ bool hasOneFanPerVertex(const PolygonHalfedges& halfedges, int vertexCount) {
   return true;
 }
 
-/// The number of pairs of vertices that are joined, by however many sides.
-int countEdges(const PolygonHalfedges& halfedges) {
-  std::vector<std::pair<int, int>> edges;
-  edges.reserve(halfedges.count());
+/// The pairs of vertices that are joined by a side.
+std::set<std::pair<int, int>> sidesOf(const PolygonHalfedges& halfedges) {
+  std::set<std::pair<int, int>> sides;
   for (int h = 0; h < halfedges.count(); ++h)
-    edges.emplace_back(std::minmax({halfedges.tail(h), halfedges.tip(h)}));
-  sortStably(std::span(edges), std::less<>());
-  return static_cast<int>(std::unique(edges.begin(), edges.end()) - edges.begin());
+    sides.insert(std::minmax({halfedges.tail(h), halfedges.tip(h)}));
+  return sides;
 }
 
 int countComponents(const PolygonHalfedges& halfedges, int vertexCount) {
@@ -166,7 +154,7 @@ int countBoundaryLoops(const PolygonHalfedges& halfedges) {
 
 PolygonTriangles triangulate(const PolygonMesh& mesh) {
   requireVertices(mesh);
-  const PolygonHalfedges halfedges(mesh);
+  std::set<std::pair<int, int>> joined = sidesOf(PolygonHalfedges(mesh));
   PolygonTriangles result;
   ConvexTriangulation triangulation;
   std::vector<Eigen::Vector2d> corners;
@@ -181,16 +169,14 @@ PolygonTriangles triangulate(const PolygonMesh& mesh) {
     corners.clear();
     for (size_t i = 0; i < polygon.size(); ++i)
       corners.emplace_back(x.dot(position(i)), y.dot(position(i)));
-    const auto add = [&](size_t a, size_t b, size_t c) {
+    const auto pair = [&](int a, int b) {
+      return std::pair<int, int>(std::minmax(polygon[a], polygon[b]));
+    };
+    const auto isJoined = [&](int a, int b) { return joined.contains(pair(a, b)); };
+    for (const auto& [a, b, c] : triangulation.compute(corners, isJoined)) {
       result.triangles.push_back({polygon[a], polygon[b], polygon[c]});
       result.face.push_back(f);
-    };
-    const int i = polygon.size() == 4 ? halfedges.cornerBetweenTwoFaces(mesh.faces.offset[f]) : -1;
-    if (i >= 0) {
-      add(i, (i + 1) % 4, (i + 2) % 4);
-      add(i, (i + 2) % 4, (i + 3) % 4);
-    } else {
-      for (const auto& [a, b, c] : triangulation.compute(corners)) add(a, b, c);
+      joined.insert({pair(a, b), pair(b, c), pair(a, c)});
     }
   }
   return result;
@@ -203,7 +189,7 @@ PolygonTopology topologyOf(const PolygonMesh& mesh) {
   PolygonTopology topology;
   std::vector<char> isUsed(vertexCount, false);
   for (int h = 0; h < halfedges.count(); ++h) isUsed[halfedges.tail(h)] = true;
-  topology.edges = countEdges(halfedges);
+  topology.edges = static_cast<int>(sidesOf(halfedges).size());
   topology.vertices = static_cast<int>(std::count(isUsed.begin(), isUsed.end(), true));
   topology.faces = mesh.faces.size();
   topology.eulerCharacteristic = topology.vertices - topology.edges + topology.faces;
