@@ -146,13 +146,13 @@ class RandomEdits {
     return list;
   }
 
-  /// About as many sites come as go.
+  /// About as many sites come, one to three at once, as go.
   void edit(DynamicDiagram& dynamic, int usual) {
     const Present present = presentOf(dynamic);
     const int count = static_cast<int>(present.labels.size());
     const int kind = below(4);
     if (count == 0 || (kind == 0 && count < 2 * usual))
-      dynamic.insertSite(point());
+      finished(dynamic.startInsert(points(1 + below(3))));
     else if (kind == 1)
       dynamic.removeSite(present.labels[below(count)]);
     else
@@ -499,8 +499,10 @@ TEST(DynamicDiagram, GivesTheLowestFreeLabel) {
   EXPECT_FALSE(dynamic.hasSite(1));
   EXPECT_EQ(dynamic.lowestFreeLabel(), 1);
   dynamic.insertSite(random.point());
-  dynamic.insertSite(random.point());
-  EXPECT_EQ(dynamic.lowestFreeLabel(), 4);
+  EXPECT_TRUE(dynamic.hasSite(1));
+  finished(dynamic.startInsert(random.points(2)));
+  EXPECT_TRUE(dynamic.hasSite(2) && dynamic.hasSite(4));
+  EXPECT_EQ(dynamic.lowestFreeLabel(), 5);
   EXPECT_TRUE(isUpToDate(mesh, dynamic, Metric::kExact));
 }
 

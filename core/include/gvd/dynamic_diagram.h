@@ -84,6 +84,9 @@ class DynamicDiagram {
   /// change is dropped unfinished, and `distances` given out before must not be used. The diagram
   /// must outlive the change.
   std::unique_ptr<SlicedWork<DiagramChange>> startInsert(const SurfacePoint& site);
+  /// Inserts several sites as one change, in less time than one after the other. They get the
+  /// lowest free labels, in their order.
+  std::unique_ptr<SlicedWork<DiagramChange>> startInsert(std::span<const SurfacePoint> sites);
   std::unique_ptr<SlicedWork<DiagramChange>> startRemove(int label);
   std::unique_ptr<SlicedWork<DiagramChange>> startMove(int label, const SurfacePoint& site);
 

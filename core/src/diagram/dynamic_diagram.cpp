@@ -80,10 +80,11 @@ class DynamicDiagram::Implementation {
   }
 
   class Update;
-  /// Begins to remove the site of a label, if it has one, and to insert it at `site`, if that is
-  /// given.
-  std::unique_ptr<SlicedWork<DiagramChange>> startSite(int label,
-                                                       const std::optional<SurfacePoint>& site);
+  /// Begins a change of some labels, each named once.
+  std::unique_ptr<SlicedWork<DiagramChange>> start(std::span<const SiteChange> changes);
+  std::unique_ptr<SlicedWork<DiagramChange>> start(const SiteChange& change) {
+    return start({&change, 1});
+  }
 
  private:
   /// Restarts `faces_` with these faces.
@@ -119,7 +120,7 @@ class DynamicDiagram::Implementation {
 
   const TriangleMesh& mesh_;
   DiagramOptions options_;
-  bool isChanging_ = false;  ///< from `startSite` until the change is done
+  bool isChanging_ = false;  ///< from `start` until the change is done
   std::shared_ptr<SiteDistances> distances_;
   PartialTracer tracer_;
   DiagramPieces pieces_;
@@ -283,13 +284,12 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
   DiagramChange change_;
 };
 
-std::unique_ptr<SlicedWork<DiagramChange>> DynamicDiagram::Implementation::startSite(
-    int label, const std::optional<SurfacePoint>& site) {
-  const SiteChange change = {label, site};
+std::unique_ptr<SlicedWork<DiagramChange>> DynamicDiagram::Implementation::start(
+    std::span<const SiteChange> changes) {
   isChanging_ = true;
   try {
-    distances_->change({&change, 1});
-  } catch (const Error&) {  // The site was refused. Anything else leaves the change unfinished.
+    distances_->change(changes);
+  } catch (const Error&) {  // A site was refused. Anything else leaves the change unfinished.
     isChanging_ = false;
     throw;
   }
@@ -366,18 +366,29 @@ DiagramChange DynamicDiagram::moveSite(int label, const SurfacePoint& site) {
 }
 
 std::unique_ptr<SlicedWork<DiagramChange>> DynamicDiagram::startInsert(const SurfacePoint& site) {
-  return whole().startSite(lowestFreeLabel(), site);
+  return startInsert({&site, 1});
+}
+
+std::unique_ptr<SlicedWork<DiagramChange>> DynamicDiagram::startInsert(
+    std::span<const SurfacePoint> sites) {
+  std::vector<SiteChange> changes;
+  int label = 0;
+  for (const SurfacePoint& site : sites) {
+    while (hasSite(label)) ++label;
+    changes.push_back({label++, site});
+  }
+  return whole().start(changes);
 }
 
 std::unique_ptr<SlicedWork<DiagramChange>> DynamicDiagram::startRemove(int label) {
   whole().requireSite(label);
-  return whole().startSite(label, std::nullopt);
+  return whole().start({label, std::nullopt});
 }
 
 std::unique_ptr<SlicedWork<DiagramChange>> DynamicDiagram::startMove(int label,
                                                                      const SurfacePoint& site) {
   whole().requireSite(label);
-  return whole().startSite(label, site);
+  return whole().start({label, site});
 }
 
 // --- What there is -----------------------------------------------------------------------------

@@ -165,7 +165,7 @@ void requireMaxAdded(int count) {
 
 namespace {
 
-/// Repairs in rounds: finds sites to add, and inserts them one by one.
+/// Repairs in rounds: finds sites to add, and inserts them.
 class Repairing final : public SlicedWork<RepairedSites> {
  public:
   Repairing(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,
@@ -196,8 +196,7 @@ class Repairing final : public SlicedWork<RepairedSites> {
   double progress() const override {
     if (!dynamic_) return share_ * opening_->progress();
     if (found_.empty()) return share_;
-    const double part = static_cast<double>(inserted_) / static_cast<double>(found_.size());
-    return share_ + (shareAfterRound() - share_) * part;
+    return share_ + (shareAfterRound() - share_) * (change_ ? change_->progress() : 0);
   }
   RepairedSites result() override { return std::move(repaired_); }
 
@@ -207,7 +206,7 @@ class Repairing final : public SlicedWork<RepairedSites> {
   void beginRound() {
     round_ = {};
     found_.clear();
-    inserted_ = 0;
+    change_.reset();
     repaired_ = {dynamic_->sites(), repaired_.added, dynamic_->diagram()};
     finding_ =
         startRepairingSites(mesh_, repaired_.sites, repaired_.diagram, dynamic_->distances());
@@ -238,13 +237,10 @@ class Repairing final : public SlicedWork<RepairedSites> {
     repaired_.added += count;
   }
 
-  /// One site per step at the most.
   bool insert(long budget) {
     if (found_.empty()) return true;
-    if (!change_) change_ = dynamic_->startInsert(found_[inserted_]);
-    if (!change_->step(budget)) return false;
-    change_.reset();
-    return ++inserted_ == found_.size();
+    if (!change_) change_ = dynamic_->startInsert(found_);
+    return change_->step(budget);
   }
 
   const TriangleMesh& mesh_;
@@ -255,7 +251,6 @@ class Repairing final : public SlicedWork<RepairedSites> {
   SlicedSequence round_;
   std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> finding_;
   std::vector<SurfacePoint> found_;  ///< sites to be inserted in this round
-  std::size_t inserted_ = 0;
   std::unique_ptr<SlicedWork<DiagramChange>> change_;
   double share_ = 0.5;  ///< of the work up to this round
 };
