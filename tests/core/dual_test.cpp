@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -218,12 +219,35 @@ TEST(Dual, OfFourQuartersOfASquareReachesItsBoundary) {
   EXPECT_EQ(dual.points.size(), 8u);
   EXPECT_EQ(dual.faces.size(), 5);
   for (int f = 0; f < dual.faces.size(); ++f) EXPECT_EQ(dual.faces[f].size(), 4u);
-  // Each region's run goes around a corner of the square, which is its middle.
+  // Each region's run goes around a corner of the square.
   for (int v = 4; v < 8; ++v) {
     const Vector3d p = dual.positions[v], site = dual.positions[dual.vertexLabel[v]];
     EXPECT_NEAR(p[0], site[0] < 0.5 ? 0 : 1, 1e-9);
     EXPECT_NEAR(p[1], site[1] < 0.5 ? 0 : 1, 1e-9);
   }
+}
+
+/// Corners of the boundary were cut off, because every run had its vertex in its middle.
+TEST(Dual, HasTheCornersOfTheBoundary) {
+  const auto mesh = shapes::grid(8, 8).mesh();
+  const auto sites = sampleUniform(mesh, 20, 1);
+  const PolygonMesh dual = dualMesh(mesh, sites, trace(mesh, sites).diagram);
+  for (const Vector3d& corner : {Vector3d(0, 0, 0), Vector3d(1, 0, 0), Vector3d(1, 1, 0)})
+    EXPECT_EQ(std::ranges::count(dual.positions, corner), 1);
+}
+
+/// With a vertex at one of two corners, the triangles beside it would be turned over.
+TEST(Dual, HasTheMiddleOfARunWithTwoCorners) {
+  shapes::Shape shape = shapes::grid(6, 2);
+  for (size_t i = 0; i < shape.positions.size(); i += 3) shape.positions[i] *= 6;
+  const auto mesh = shape.mesh();
+  std::vector<SurfacePoint> sites;
+  for (int v = 0; v < mesh.vertexCount(); ++v)
+    if (mesh.position(v)[1] == 0.5 && std::lround(mesh.position(v)[0]) % 2 == 1)
+      sites.push_back({mesh.outgoing(v) / 3, Vector3d::Unit(mesh.outgoing(v) % 3)});
+  ASSERT_EQ(sites.size(), 3u);
+  const PolygonMesh dual = dualMesh(mesh, sites, trace(mesh, sites).diagram);
+  EXPECT_EQ(std::ranges::count(dual.positions, Vector3d(0, 0.5, 0)), 1);
 }
 
 TEST(Violations, NameWhatIsWrongWithFewSites) {

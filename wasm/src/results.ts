@@ -301,8 +301,8 @@ export interface PartitionRegions {
 
 /**
  * The dual of a diagram, or its regions as polygons. Polygons are counterclockwise, as the surface
- * is, with straight sides. On the mesh boundary, every piece of it in one region gets a point in its
- * middle, and the polygons reach to these points.
+ * is, with straight sides. On the mesh boundary, every piece of it in one region gets a point, at its
+ * corner if it has one, else in its middle, and the polygons reach to these points.
  */
 export interface PolygonMesh {
   points: PlacedPoints;

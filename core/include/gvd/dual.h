@@ -25,11 +25,12 @@ namespace gvd {
 /// one point, this is a geodesic Delaunay triangulation.
 ///
 /// To extend the dual from the outermost sites to the mesh boundary, every *run*, a piece of the
-/// mesh boundary in one region, gets a vertex of its own: in its middle, with the region's label,
-/// numbered after all sites. Where an arc between the regions of A and B ends on the boundary, the
-/// dual has a quadrangle of the two sites and the middles of their two runs; where d - 1 arcs end
-/// in one point, a (d+2)-gon. So the boundary of the dual lies along that of the mesh. A boundary
-/// loop that only one region touches gets nothing.
+/// mesh boundary in one region, gets a vertex of its own, with the region's label, numbered after
+/// all sites: where it turns, if it turns in one place as at a corner, else in its middle. Where an
+/// arc between the regions of A and B ends on the boundary, the dual has a quadrangle of the two
+/// sites and the vertices of their two runs; where d - 1 arcs end in one point, a (d+2)-gon. So the
+/// boundary of the dual lies along that of the mesh. A boundary loop that only one region touches
+/// gets nothing.
 ///
 /// A site is in no face if it has no region, or if its region has neither a Voronoi point nor an
 /// arc that ends on the mesh boundary. The dual is a manifold with the topology of the surface if
@@ -44,10 +45,10 @@ PolygonMesh dualMesh(const TriangleMesh& mesh, std::span<const SurfacePoint> sit
                      const Diagram& diagram);
 
 /// The regions as polygons: vertices are the Voronoi points and the ends of arcs on the mesh
-/// boundary, then the middles of runs along it; each arc is a side, each run two, each loop of a
-/// region a face. If `findViolations` returns none, there is one face per region, and the mesh has
-/// the topology of the surface. Otherwise a loop may have fewer than three corners; one that meets
-/// at most one other region may have none and is left out. Costs as much as `partition`.
+/// boundary, then those of runs along it, as in the dual; each arc is a side, each run two, each
+/// loop of a region a face. If `findViolations` returns none, there is one face per region, and the
+/// mesh has the topology of the surface. Otherwise a loop may have fewer than three corners; one
+/// that meets at most one other region may have none and is left out. Costs as much as `partition`.
 PolygonMesh regionMesh(const TriangleMesh& mesh, const Diagram& diagram);
 
 /// Both in steps. Here and below, arguments given by reference must outlive the work.

@@ -22,22 +22,40 @@ bool isRun(const RegionComplex::Border& border) {
   return border.beyond == RegionComplex::kOutside && border.fromVertex >= 0;
 }
 
-/// The midpoint of a border, by length.
-SurfacePoint middle(const TriangleMesh& mesh, const Partition& p,
-                    const RegionComplex::Border& border) {
-  const auto length = [&](int h) {
-    return (p.positions[tipOf(p.triangles, h)] - p.positions[tailOf(p.triangles, h)]).norm();
-  };
-  double rest = 0;
-  for (const int h : border.path) rest += length(h) / 2;
-  size_t i = 0;
-  for (; i + 1 < border.path.size() && rest > length(border.path[i]); ++i)
-    rest -= length(border.path[i]);
-  const int h = border.path[i];
-  const double whole = length(h), share = whole > 0 ? std::clamp(rest / whole, 0.0, 1.0) : 0.5;
+/// The point at a share of a halfedge of a partition.
+SurfacePoint pointOn(const TriangleMesh& mesh, const Partition& p, int h, double share) {
   const Eigen::Matrix3d corners = cornersInFace(mesh, p, h / 3);
   return {p.triangleFace[h / 3],
           (1 - share) * corners.col(h % 3) + share * corners.col(cornerAfter(h % 3))};
+}
+
+/// The point of a run that stands for it as a vertex: its middle, by length, or where it turns, if
+/// it turns in one place, so that a corner of the mesh boundary is kept. It does if the way from
+/// end to end over a point of it is longer than the straight line, and not shorter than the run.
+SurfacePoint pointOfRun(const TriangleMesh& mesh, const Partition& p,
+                        const RegionComplex::Border& run) {
+  constexpr double kLonger = 1.05;  // as over a turn by 36° halfway
+  const auto tail = [&](int h) { return p.positions[tailOf(p.triangles, h)]; };
+  const auto tip = [&](int h) { return p.positions[tipOf(p.triangles, h)]; };
+  const auto lengthOf = [&](int h) { return (tip(h) - tail(h)).norm(); };
+  const Eigen::Vector3d from = tail(run.path.front()), to = tip(run.path.back());
+  int turn = run.path.front();
+  double longest = 0, length = 0;
+  for (const int h : run.path) {
+    length += lengthOf(h);
+    const double way = (tail(h) - from).norm() + (to - tail(h)).norm();
+    if (way > longest) turn = h;
+    longest = std::max(longest, way);
+  }
+  if (longest > kLonger * (to - from).norm() && length < kLonger * longest)
+    return pointOn(mesh, p, turn, 0);
+  double rest = length / 2;
+  size_t i = 0;
+  for (; i + 1 < run.path.size() && rest > lengthOf(run.path[i]); ++i)
+    rest -= lengthOf(run.path[i]);
+  const int h = run.path[i];
+  const double whole = lengthOf(h);
+  return pointOn(mesh, p, h, whole > 0 ? std::clamp(rest / whole, 0.0, 1.0) : 0.5);
 }
 
 }  // namespace
@@ -55,7 +73,7 @@ PolygonMesh buildDual(const TriangleMesh& mesh, std::span<const SurfacePoint> si
   for (size_t b = 0; b < complex.borders.size(); ++b) {
     const RegionComplex::Border& border = complex.borders[b];
     if (!isRun(border)) continue;
-    vertexOfRun[b] = addVertex(mesh, middle(mesh, partition, border), result);
+    vertexOfRun[b] = addVertex(mesh, pointOfRun(mesh, partition, border), result);
     result.vertexLabel.push_back(border.label);
   }
   std::vector<int> polygon;
@@ -86,7 +104,7 @@ PolygonMesh buildRegions(const TriangleMesh& mesh, const Partition& partition,
       const RegionComplex::Border& border = complex.borders[b];
       if (border.fromVertex >= 0) polygon.push_back(border.fromVertex);
       if (isRun(border))
-        polygon.push_back(addVertex(mesh, middle(mesh, partition, border), result));
+        polygon.push_back(addVertex(mesh, pointOfRun(mesh, partition, border), result));
     }
     if (polygon.empty()) continue;
     result.faces.add(polygon);
