@@ -30,6 +30,12 @@ const preloadMain = {
   },
 };
 
+/** The indentation of the page is for those who write it. */
+const withoutIndentation = {
+  name: 'without-indentation',
+  transformIndexHtml: (html) => html.replace(/^ +/gm, ''),
+};
+
 /**
  * Shader texts of three.js for features that the page does not use: other materials, maps other
  * than of colour, shadows, fog, skins, light probes, clipping planes and tone mapping. They are a
@@ -97,7 +103,7 @@ export default defineConfig(({ isPreview }) => {
   return {
     define: { firstBytes },
     base: './',
-    plugins: [preloadMain, leaveOutOfThree],
+    plugins: [preloadMain, withoutIndentation, leaveOutOfThree],
     // The source modules of three.js: those not needed at first sight come with code that needs
     // them.
     resolve: { alias: [{ find: /^three$/, replacement: 'three/src/Three.js' }] },
