@@ -212,6 +212,7 @@ const tasks = [
   (options) => mesh.path(one, one, options),
   (options) => mesh.cvt(one, options).next(),
   (options) => mesh.closestPoints([0, 0, 0], options),
+  (options) => mesh.positionsOf(toSites(one), options),
   (options) => mesh.remesh(one, options),
   (options) => diagram.insertSite(one, options),
   (options) => diagram.moveSite(0, one, options),

@@ -175,6 +175,7 @@ export class EngineMesh implements Mesh {
     options?: TaskOptions,
   ): Promise<Float64Array<ArrayBuffer>> {
     const task = toTask(options);
+    task.signal?.throwIfAborted();
     const { face, bary } = await this.#object.onSurface(toPoints('points', points), task);
     return this.#placesOf({ face, bary }, this.indices);
   }
