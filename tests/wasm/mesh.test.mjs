@@ -291,6 +291,15 @@ test('sampled sites depend on the seed alone, and the first ones not on the coun
   );
 });
 
+test('objects have tags, by which Vue tells them from plain ones and puts no proxy before them', async () => {
+  const mesh = await gvd.mesh(octahedron());
+  const diagram = await mesh.voronoi({ vertex: [0, 1] });
+  assert.deepEqual(
+    [gvd, mesh, diagram, diagram.regions[0]].map((object) => `${object}`),
+    ['[object GeodesicVoronoi]', '[object Mesh]', '[object Diagram]', '[object Region]'],
+  );
+});
+
 test('where points are: by triangles, vertices and places, and of labels without a site', async () => {
   const mesh = await gvd.mesh(octahedron());
   const places = await mesh.sampleSites(20);

@@ -97,6 +97,11 @@ export class EngineDiagram implements Diagram {
     return diagramJson(this);
   }
 
+  /** Vue puts no proxy, which could not read private fields, before an object with a tag. */
+  get [Symbol.toStringTag](): string {
+    return 'Diagram';
+  }
+
   [inspectSymbol](): object {
     const { metric, sites, data, regions } = this;
     return { metric, sites, data, regions };

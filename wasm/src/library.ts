@@ -18,6 +18,11 @@ export class Library implements GeodesicVoronoi {
     this.#engine = engine;
   }
 
+  /** Vue puts no proxy, which could not read private fields, before an object with a tag. */
+  get [Symbol.toStringTag](): string {
+    return 'GeodesicVoronoi';
+  }
+
   get version(): string {
     return this.#engine.version;
   }

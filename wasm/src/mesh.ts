@@ -102,6 +102,11 @@ export class EngineMesh implements Mesh {
     this.#object = new EngineObject(this, 'mesh', engine, handle);
   }
 
+  /** Vue puts no proxy, which could not read private fields, before an object with a tag. */
+  get [Symbol.toStringTag](): string {
+    return 'Mesh';
+  }
+
   async sampleSites(
     wanted: number | { radius: number },
     options?: SampleOptions,

@@ -37,6 +37,11 @@ class DataRegion implements Region {
     this.#index = index;
   }
 
+  /** Vue puts no proxy, which could not read private fields, before an object with a tag. */
+  get [Symbol.toStringTag](): string {
+    return 'Region';
+  }
+
   get area(): number {
     return this.#data.regionArea[this.label];
   }
