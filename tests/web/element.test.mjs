@@ -428,6 +428,20 @@ suite('attributes and events', () => {
     assert.deepEqual(made, { count: 12, layers: ['regions', 'sites'], exploded: 0.5 });
   });
 
+  test('sites that are asked for while a model is opened are sampled on it', async (context) => {
+    const viewer = await opened(context, 'empty.html');
+    const count = await viewer.page.evaluate(async () => {
+      const element = document.createElement('geodesic-voronoi');
+      element.src = '/samples/torus.glb';
+      document.body.append(element);
+      const drawn = new Promise((resolve) => element.addEventListener('diagram', resolve));
+      element.sites = 12;
+      await Promise.race([drawn, new Promise((resolve) => setTimeout(resolve, 20_000))]);
+      return element.sites.face.length;
+    });
+    assert.equal(count, 12);
+  });
+
   test('properties may be set before the script has come', async (context) => {
     const viewer = await opened(context, 'early.html');
     await viewer.page.waitForFunction(

@@ -106,7 +106,7 @@ export class Attributes {
         orientation: this.#text('orientation') as Orientation,
         minComponent: this.#number('min-component'),
       },
-      siteSampling: this.siteSampling,
+      siteSampling: () => this.siteSampling,
     };
   }
 

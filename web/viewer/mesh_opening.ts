@@ -30,7 +30,8 @@ export interface SiteSampling {
 /** How a model is opened. */
 export interface Opening {
   build: Pick<MeshOptions, 'maxEdge' | 'weld' | 'orientation' | 'minComponent'>;
-  siteSampling: SiteSampling;
+  /** How sites are sampled, asked once the mesh is there: it may have changed while that was read. */
+  siteSampling: () => SiteSampling;
   /** Sites and density of another mesh of the same model, which are put where they were. */
   kept?: Kept | undefined;
 }
@@ -85,7 +86,7 @@ export async function openMesh(
     });
     const placing = { signal, onProgress: between(meshShare, 1) };
     const [sites, tints, scene] = await Promise.all([
-      keptSites(mesh, kept, placing) ?? sampleSites(mesh, siteSampling, placing),
+      keptSites(mesh, kept, placing) ?? sampleSites(mesh, siteSampling(), placing),
       keptTints(mesh, kept, { signal }),
       sceneOf(mesh, builder, signal),
     ]);
