@@ -6,7 +6,14 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { compileModules, GeodesicVoronoiError, load, loadWorker } from 'geodesic-voronoi';
+import { createContext, runInContext } from 'node:vm';
+import {
+  compileModules,
+  GeodesicVoronoiError,
+  gltfResourceUris,
+  load,
+  loadWorker,
+} from 'geodesic-voronoi';
 import { glb, octahedron } from './meshes.mjs';
 
 const dist = new URL('../../dist/', import.meta.url);
@@ -37,6 +44,20 @@ test('load() takes a URL, a path, bytes, what a server answered, or a module', a
     const gvd = await load({ wasm });
     assert.equal((await gvd.mesh(octahedron())).info.faces, 8);
   }
+});
+
+test('objects of other frames are taken as those of this one', async () => {
+  const frame = createContext();
+  const other = runInContext('({ array: Uint8Array, compile: WebAssembly.compile })', frame);
+  const [model, wasm] = [glb(octahedron()), coreBytes].map((bytes) => other.array.from(bytes));
+  assert.ok(!(model instanceof Uint8Array));
+  for (const source of [wasm.buffer, await other.compile(wasm)]) {
+    const gvd = await load({ wasm: source });
+    assert.equal((await gvd.mesh(model)).info.faces, 8);
+    assert.equal((await gvd.mesh(model.buffer)).info.faces, 8);
+    assert.equal((await gvd.mesh({ 'model.glb': model })).info.faces, 8);
+  }
+  assert.deepEqual(gltfResourceUris(model), []);
 });
 
 test('in a path, # and % and ? are letters as any others', async (t) => {

@@ -138,9 +138,10 @@ test('load and loadWorker', async () => {
 });
 
 test('mesh', async () => {
+  const { buffer } = glb(octahedron());
   const { positions, indices } = octahedron();
   await refused(
-    [...notObjects, [], { a: 5 }, () => {}, new Float32Array(9)],
+    [...notObjects, [], { a: 5 }, () => {}, new Float32Array(9), new Map(), new DataView(buffer)],
     (source) => gvd.mesh(source),
     /^a mesh is made from/,
   );

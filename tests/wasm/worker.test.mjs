@@ -161,6 +161,13 @@ test('giving up is immediate, and the worker stops too', async (t) => {
   await assert.rejects(mesh.voronoi(sites, { signal: controller.signal }), reason);
 });
 
+test('files and limits in proxies, as Vue makes them, are sent as what they are', async (t) => {
+  const { library } = await loadThroughChannel(t);
+  const files = new Proxy({ 'model.glb': glb(octahedron()) }, {});
+  const limits = new Proxy({ maxVertices: 6 }, {});
+  assert.equal((await library.mesh(files, { limits })).info.faces, 8);
+});
+
 test('a diagram that is done before its abortion arrives is freed', async (t) => {
   const { library, sent, engine } = await loadThroughChannel(t);
   const mesh = await library.mesh(octahedron());

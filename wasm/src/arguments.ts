@@ -3,7 +3,7 @@
 // Checks the form of what callers pass, and copies it. Whether it makes sense on the surface is
 // checked by the core.
 
-import { isObject, show, toFloat64, toInt32, toInteger, toOneOf } from './checks.js';
+import { isA, isObject, show, toFloat64, toInt32, toInteger, toOneOf } from './checks.js';
 import type { CvtSettings, FileInput, MeshBuild } from './engine.js';
 import { invalidArgument } from './errors.js';
 import {
@@ -118,11 +118,11 @@ function requireNoOtherIndices(source: MeshArrays): void {
 
 export function toFiles(source: unknown): ModelFiles {
   if (isModelFile(source)) return { '': source };
-  if (source instanceof ArrayBuffer) return { '': new Uint8Array(source) };
+  if (isA(source, 'ArrayBuffer')) return { '': new Uint8Array(source) };
   const advice = adviceOn(source);
-  if (isObject(source) && !Array.isArray(source) && advice === '') {
-    const entries = Object.entries(source);
-    if (entries.every(([, file]) => isModelFile(file))) return source as ModelFiles;
+  if (isA(source, 'Object') && advice === '') {
+    const files = { ...source };
+    if (Object.values(files).every(isModelFile)) return files as ModelFiles;
   }
   throw invalidArgument(
     `a mesh is made from the bytes of a file, from files by their paths, or from { positions, indices }; this is ${show(source)}${advice}`,
@@ -131,15 +131,15 @@ export function toFiles(source: unknown): ModelFiles {
 
 /** What is nearly a mesh: the address of a file, its bytes to come, or a geometry of three.js. */
 function adviceOn(source: unknown): string {
-  if (typeof source === 'string' || source instanceof URL) return ': fetch or read the file';
-  if (source instanceof Promise) return ': await it';
+  if (typeof source === 'string' || isA(source, 'URL')) return ': fetch or read the file';
+  if (isA(source, 'Promise')) return ': await it';
   if (isObject(source) && 'isBufferGeometry' in source)
     return ': pass { positions: geometry.attributes.position.array, indices: geometry.index?.array }';
   return '';
 }
 
 function isModelFile(value: unknown): value is ModelFile {
-  if (value instanceof Uint8Array) return true;
+  if (isA(value, 'Uint8Array')) return true;
   return isObject(value) && 'arrayBuffer' in value && typeof value.arrayBuffer === 'function';
 }
 
@@ -149,7 +149,7 @@ function toLimits(limits: GltfLimits): GltfLimits {
     toOneOf('the name of a limit', name, gltfLimitNames);
     toInteger(`limits.${name}`, most, 0, maxLimit);
   }
-  return limits;
+  return { ...limits };
 }
 
 /** Points by triangles and coordinates, by vertices, or by places in space, as copies. */
@@ -189,7 +189,7 @@ function requireOneForm(name: string, points: object): void {
 
 /** Says what a value is that is no points. */
 function notPoints(value: unknown): string {
-  if (value instanceof Promise) return 'a promise: await it';
+  if (isA(value, 'Promise')) return 'a promise: await it';
   if (isObject(value) && Symbol.asyncIterator in value)
     return 'what cvt gives: loop over it, and pass the sites of a state';
   if (isObject(value) && 'sites' in value) return 'a result: pass its sites';

@@ -2,6 +2,7 @@
 //
 // Checks of what callers pass. Each names the argument, says what it is, and what it should be.
 
+import type { CompiledModule } from './compile.js';
 import { invalidArgument } from './errors.js';
 import type { TaskOptions } from './types.js';
 
@@ -57,7 +58,7 @@ export function toTaskOptions<
   const { onProgress, signal } = all;
   if (onProgress !== undefined && typeof onProgress !== 'function')
     throw invalidArgument(`onProgress is ${show(onProgress)}, not a function`);
-  if (signal !== undefined && !isSignal(signal))
+  if (signal !== undefined && !isA(signal, 'AbortSignal'))
     throw invalidArgument(`signal is ${show(signal)}, not an AbortSignal`);
   return all as Complete<Options, Defaults> & TaskOptions;
 }
@@ -67,9 +68,23 @@ export function toTask(options: TaskOptions | undefined): TaskOptions {
   return toTaskOptions(options, {});
 }
 
-/** Accepts signals of other frames too, which are no instances of this frame's class. */
-function isSignal(value: unknown): value is AbortSignal {
-  return Object.prototype.toString.call(value) === '[object AbortSignal]';
+/** The classes of the language and the platform that are told apart here. */
+interface Kinds {
+  AbortSignal: AbortSignal;
+  ArrayBuffer: ArrayBuffer;
+  BigInt64Array: BigInt64Array;
+  BigUint64Array: BigUint64Array;
+  Object: Record<string, unknown>;
+  Promise: Promise<unknown>;
+  Response: Response;
+  Uint8Array: Uint8Array;
+  URL: URL;
+  'WebAssembly.Module': CompiledModule;
+}
+
+/** `instanceof`, also for objects of other frames, which are no instances of this frame's class. */
+export function isA<Kind extends keyof Kinds>(value: unknown, kind: Kind): value is Kinds[Kind] {
+  return Object.prototype.toString.call(value) === `[object ${kind}]`;
 }
 
 export function toOneOf<Name extends string>(
@@ -146,7 +161,7 @@ function requireNumbers(name: string, values: ArrayLike<number>): void {
 }
 
 function isBigInts(values: unknown): boolean {
-  return values instanceof BigInt64Array || values instanceof BigUint64Array;
+  return isA(values, 'BigInt64Array') || isA(values, 'BigUint64Array');
 }
 
 /** A result of this library that is passed back to it: an object with at least these fields. */
@@ -156,14 +171,14 @@ export function toResult<Result extends object>(
   ...fields: (keyof Result & string)[]
 ): Result {
   if (!isObject(value)) throw invalidArgument(`${name} is ${show(value)}, not an object`);
-  if (value instanceof Promise) throw invalidArgument(`${name} is a promise: await it`);
+  if (isA(value, 'Promise')) throw invalidArgument(`${name} is a promise: await it`);
   const missing = fields.find((field) => !isObject(value[field]));
   if (missing === undefined) return value;
   throw invalidArgument(`${name}.${missing} is ${show(value[missing])}, not an object`);
 }
 
 export function requireBytes(name: string, bytes: Uint8Array): void {
-  if (!(bytes instanceof Uint8Array))
+  if (!isA(bytes, 'Uint8Array'))
     throw invalidArgument(`${name} is ${show(bytes)}, not a Uint8Array`);
 }
 

@@ -2,7 +2,7 @@
 //
 // The WebAssembly modules, from wherever they are.
 
-import { show } from './checks.js';
+import { isA, show } from './checks.js';
 import { GeodesicVoronoiError, invalidArgument } from './errors.js';
 
 /**
@@ -23,10 +23,10 @@ export type CompileAddress = (address: URL | string) => Promise<CompiledModule>;
 /** Compiles a source, or throws 'load-failed'. `name` is the option's, for errors. */
 export async function compile(
   name: string,
-  source: WasmSource,
+  source: WasmSource | undefined,
   compileAddress: CompileAddress,
 ): Promise<CompiledModule> {
-  if (source instanceof WebAssembly.Module) return source;
+  if (isA(source, 'WebAssembly.Module')) return source;
   try {
     if (isAddress(source)) return await awake(() => compileAddress(source));
     if (isResponse(source)) return await awake(() => compileResponse(source));
@@ -69,15 +69,15 @@ async function compileResponse(response: Response): Promise<CompiledModule> {
 }
 
 export function isAddress(source: unknown): source is URL | string {
-  return typeof source === 'string' || source instanceof URL;
+  return typeof source === 'string' || isA(source, 'URL');
 }
 
 export function isResponse(source: unknown): source is Response {
-  return typeof Response !== 'undefined' && source instanceof Response;
+  return isA(source, 'Response');
 }
 
 function bytesOf(source: unknown): Uint8Array<ArrayBuffer> | undefined {
-  if (source instanceof ArrayBuffer) return new Uint8Array(source);
+  if (isA(source, 'ArrayBuffer')) return new Uint8Array(source);
   if (!ArrayBuffer.isView(source)) return undefined;
   return new Uint8Array(source.buffer as ArrayBuffer, source.byteOffset, source.byteLength);
 }

@@ -2,6 +2,7 @@
 //
 // The files of a model: which of them is the model, and which file a URI in it refers to.
 
+import { isA } from '../checks.js';
 import { GeodesicVoronoiError, invalidFile } from '../errors.js';
 import type { ModelFile, ModelFiles } from '../types.js';
 
@@ -56,7 +57,7 @@ export class FileSet {
 
   async read(path: string): Promise<Uint8Array> {
     const file = this.#files.get(path)!;
-    if (file instanceof Uint8Array) return file;
+    if (isA(file, 'Uint8Array')) return file;
     try {
       return new Uint8Array(await file.arrayBuffer());
     } catch (cause) {
