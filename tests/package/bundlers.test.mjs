@@ -17,7 +17,7 @@ import * as vite8 from 'vite';
 import * as vite6 from 'vite6';
 import { glb, octahedron } from '../wasm/meshes.mjs';
 import { assertWorkersAreNotImported, browserOptions } from '../web/browser.mjs';
-import { install } from './installed.mjs';
+import { install, run } from './installed.mjs';
 
 const webpack = createRequire(import.meta.url)('webpack');
 
@@ -227,6 +227,32 @@ test('esbuild, with the workers as entries of their own and the modules beside t
   for (const name of ['core.wasm', 'gltf.wasm']) cpSync(inPackage(name), join(outDir, name));
   copyPage(outDir);
   await assertFolderWorks(outDir);
+});
+
+test('esbuild, as a script of Node that is no ES module and is given its modules', async () => {
+  writeFileSync(
+    join(installed.folder, 'script.js'),
+    `import { load } from 'geodesic-voronoi';
+     const count = async (options) => {
+       const gvd = await load(options);
+       return (await gvd.mesh(${JSON.stringify(octahedron())})).info.faces;
+     };
+     const wasm = ${JSON.stringify(join(installed.packageFolder, 'dist/core.wasm'))};
+     count({ wasm }).then(console.log);
+     count().catch((error) => console.log(error.message));`,
+  );
+  await buildWithEsbuild({
+    absWorkingDir: installed.folder,
+    entryPoints: ['script.js'],
+    bundle: true,
+    platform: 'node',
+    format: 'cjs',
+    outfile: 'script.cjs',
+    logLevel: 'error',
+  });
+  const lines = run(process.execPath, ['script.cjs'], installed.folder).trim().split('\n');
+  assert.ok(lines.includes('8'), lines.join());
+  assert.match(lines.join(), /wasm is undefined, not an address/);
 });
 
 test('a plain page with an import map', async () => {

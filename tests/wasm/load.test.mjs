@@ -75,6 +75,20 @@ test('what cannot be loaded says so', async () => {
   await assert.rejects(loadWorker(), failsToLoad(/load\(\)/));
 });
 
+test('a worker that may not be started is told of as one that cannot be loaded', async (t) => {
+  t.after(() => delete globalThis.Worker);
+  globalThis.Worker = class {
+    constructor() {
+      throw new DOMException('of another origin', 'SecurityError');
+    }
+  };
+  const sources = { wasm: coreBytes, gltfWasm: coreBytes, dracoWasm: coreBytes };
+  await assert.rejects(
+    loadWorker(sources),
+    failsToLoad(/^the worker "worker\.js" cannot be started: of another origin$/),
+  );
+});
+
 test('a module with imports that are not ours is refused by the name of the import', async () => {
   // (module (import "env" "spy" (func)))
   const stranger = [

@@ -19,9 +19,9 @@ import type { Argument } from './wasm_module.js';
 
 /** Where to find the modules. */
 export interface EngineSources {
-  wasm: WasmSource;
-  gltfWasm: WasmSource;
-  dracoWasm: WasmSource;
+  wasm: WasmSource | undefined;
+  gltfWasm: WasmSource | undefined;
+  dracoWasm: WasmSource | undefined;
 }
 
 /**

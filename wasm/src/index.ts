@@ -102,7 +102,7 @@ export interface LoadWorkerOptions extends LoadOptions {
 /**
  * The library in a module worker of its own; `dispose()` ends it.
  *
- * Vite, webpack and Rollup find the worker's script and the modules by themselves. A bundler that
+ * Vite and webpack find the worker's script and the modules by themselves. A bundler that
  * does not follow `new URL(…, import.meta.url)`, such as esbuild, has to be told: make
  * `geodesic-voronoi/worker` an entry point beside the app, have `geodesic-voronoi/core.wasm` and
  * `geodesic-voronoi/gltf.wasm` copied (esbuild's loader `file`), and pass their addresses:
@@ -148,24 +148,27 @@ function requireWorker(worker: LoadWorkerOptions['worker']): void {
 
 function startWorker(worker: LoadWorkerOptions['worker']): Worker {
   if (isWorker(worker)) return worker as Worker;
-  if (worker === undefined)
-    return new Worker(new URL('./worker.js', import.meta.url), {
-      type: 'module',
-      name: 'geodesic-voronoi',
-    });
   try {
+    if (worker === undefined)
+      return new Worker(new URL('./worker.js', import.meta.url), {
+        type: 'module',
+        name: 'geodesic-voronoi',
+      });
     return new Worker(worker, { type: 'module', name: 'geodesic-voronoi' });
   } catch (cause) {
     throw new GeodesicVoronoiError(
       'load-failed',
-      `the worker ${show(String(worker))} cannot be started: ${(cause as Error).message}`,
+      `the worker ${show(String(worker ?? 'worker.js'))} cannot be started: ${(cause as Error).message}`,
       { cause },
     );
   }
 }
 
 /** Makes a source fit to be posted: resolves addresses here, since the worker has another base. */
-async function toPost(name: string, source: WasmSource): Promise<WasmSource> {
+async function toPost(
+  name: string,
+  source: WasmSource | undefined,
+): Promise<WasmSource | undefined> {
   if (!isAddress(source))
     return isResponse(source) ? compile(name, source, compileFromWeb) : source;
   try {

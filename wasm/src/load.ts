@@ -10,7 +10,7 @@ import { LocalEngine } from './local_engine.js';
 import type { GeodesicVoronoi } from './types.js';
 
 export interface LoadOptions {
-  /** core.wasm; by default the one beside this file. */
+  /** core.wasm; by default the one beside this file, which only an ES module finds. */
   wasm?: WasmSource | undefined;
   /** gltf.wasm, loaded with the first glTF file; by default the one beside this file. */
   gltfWasm?: WasmSource | undefined;
@@ -26,14 +26,23 @@ export type Modules = Record<'wasm' | 'gltfWasm', CompiledModule>;
 
 /** Where the modules are by default. The addresses are written so that bundlers see them. */
 const beside = () => ({
-  wasm: new URL('./core.wasm', import.meta.url),
-  gltfWasm: new URL('./gltf.wasm', import.meta.url),
+  wasm: known(() => new URL('./core.wasm', import.meta.url)),
+  gltfWasm: known(() => new URL('./gltf.wasm', import.meta.url)),
 });
+
+/** A bundle that is no ES module does not know its own address: there, these have to be given. */
+function known(address: () => URL): URL | undefined {
+  try {
+    return address();
+  } catch {
+    return undefined;
+  }
+}
 
 export function sourcesOf(options: LoadOptions | undefined): EngineSources {
   return toOptions(options, {
     ...beside(),
-    dracoWasm: new URL('./draco.wasm', import.meta.url),
+    dracoWasm: known(() => new URL('./draco.wasm', import.meta.url)),
   });
 }
 
