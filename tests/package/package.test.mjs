@@ -155,7 +155,11 @@ test('its types are complete, with and without those of Node', () => {
   writeFileSync(
     join(installed.folder, 'use.mts'),
     `import { load, partitionGlb, type Diagram, type DiagramData, type Mesh } from 'geodesic-voronoi';
-     import type {} from 'geodesic-voronoi/element';
+     import type { GeodesicVoronoiElement } from 'geodesic-voronoi/element';
+     type Attribute = (typeof GeodesicVoronoiElement.observedAttributes)[number];
+     const seed: Attribute = 'seed';
+     // @ts-expect-error: not an attribute
+     const seeds: Attribute = 'seeds';
      const gvd = await load();
      const mesh: Mesh = await gvd.mesh({ 'model.glb': new Uint8Array(8) });
      const diagram: Diagram = await mesh.voronoi(await mesh.sampleSites(3), { metric: 'exact' });

@@ -58,7 +58,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     'exploded',
     'up',
     'tool',
-  ];
+  ] as const;
 
   readonly #changedAttributes = new Set<string>();
   /** There while the element is in a document. */
