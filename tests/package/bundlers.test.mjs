@@ -152,7 +152,7 @@ for (const [name, vite] of [
       root: installed.folder,
       base: './',
       build: { outDir, target: 'es2022', assetsInlineLimit: 0, chunkSizeWarningLimit: 2000 },
-      worker: { format: 'es' },
+      ...(name === 'Vite 6' && { worker: { format: 'es' } }),
     });
     await assertFolderWorks(outDir);
     await assertWorkersAreNotImported(outDir);
