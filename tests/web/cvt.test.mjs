@@ -110,6 +110,19 @@ suite('the centroidal tessellation', () => {
     assert.equal((await iterations()).length, number, 'nothing goes on behind one’s back');
   });
 
+  test('a pause before the first iteration tells of no other diagram', async () => {
+    const told = await viewer.evaluate(async (viewer) => {
+      const diagrams = [];
+      viewer.addEventListener('diagram', ({ detail }) => diagrams.push(detail.milliseconds));
+      viewer.playCvt();
+      viewer.pauseCvt();
+      await new Promise((resolve) => setTimeout(resolve));
+      return diagrams;
+    });
+    assert.deepEqual(told, []);
+    assert.equal(await viewer.evaluate(({ cvtStatus }) => cvtStatus), 'paused');
+  });
+
   test('ends where iterations gain no more than asked for', async () => {
     await viewer.page.selectOption('#cvt-tolerance', '0.01');
     await viewer.after('diagram', () => press('#cvt-play'));

@@ -377,7 +377,7 @@ export class Session {
 
   /**
    * After a pause, the last iteration shown becomes the diagram, without waiting for one under way.
-   * It is computed anew only if its metric or detail differs from those wanted.
+   * It is computed anew only if its metric or detail differs from those wanted. Before the first, none has changed it.
    */
   #rest(): void {
     const shown = this.#shown;
@@ -388,10 +388,10 @@ export class Session {
       return;
     }
     this.#updateStatus();
-    const milliseconds = this.#cvt?.latest?.milliseconds ?? 0;
+    const { latest } = this.#cvt ?? {};
     queueMicrotask(() => {
-      if (shown === this.#shown && !this.#cvt?.playing)
-        this.#listener.cvtRested(shown, milliseconds);
+      if (latest && shown === this.#shown && !this.#cvt?.playing)
+        this.#listener.cvtRested(shown, latest.milliseconds);
     });
   }
 
