@@ -321,6 +321,16 @@ suite('access', () => {
       }),
     );
     assert.notEqual(on, off);
+    await viewer.evaluate((viewer) => {
+      viewer.layers = ['distances'];
+    });
+    const scale = viewer.page.locator('geodesic-voronoi .distances .scale');
+    await scale.waitFor();
+    assert.match(
+      await scale.evaluate((scale) => getComputedStyle(scale).backgroundImage),
+      /^linear-gradient/,
+      'a scale of distances has its colours',
+    );
     await viewer.close();
   });
 });

@@ -204,6 +204,10 @@ test('distances are shown with a scale in the units of the model', async () => {
   });
   const told = Number((await legend.locator('.ends span').last().textContent()) ?? 0);
   assert.ok(Math.abs(told / longest - 1) < 0.05, `${told} for ${longest}`);
+  await viewer.evaluate((viewer) => viewer.setAttribute('exploded', '0.5'));
+  await legend.waitFor({ state: 'hidden' }); // the parts have the colours of regions
+  await viewer.evaluate((viewer) => viewer.removeAttribute('exploded'));
+  await legend.waitFor();
   assert.deepEqual(viewer.complaints, []);
   await viewer.page.uncheck('#layers [value=distances]');
   await legend.waitFor({ state: 'hidden' });

@@ -13,12 +13,11 @@ const style = `
     font: 12px/1.4 system-ui, sans-serif; color: CanvasText; pointer-events: none;
     background: color-mix(in srgb, Canvas 88%, transparent); border-radius: 10px;
   }
-  .legend[hidden] { display: none; }
-  /* Surfaces without tints are seen: of distances, of the file's own material, of parts. */
-  :host(:is([layers~='distances'], [layers~='original'], [exploded]:not([exploded='0']))) .density {
-    display: none;
-  }
-  .scale { height: 10px; border-radius: 3px; }
+  /* The exploded view has the colours of regions; distances and the file's own material cover the density. */
+  .legend[hidden],
+  :host([exploded]:not([exploded='0'])) .legend,
+  :host(:is([layers~='distances'], [layers~='original'])) .density { display: none; }
+  .scale { height: 10px; border-radius: 3px; forced-color-adjust: none; }
   .ends { display: flex; justify-content: space-between; font-variant-numeric: tabular-nums; }
   @container (max-width: 600px) or (max-height: 400px) {
     .legend { width: 160px; padding: 5px 8px; font-size: 11px; }
