@@ -204,7 +204,16 @@ test('distances are shown with a scale in the units of the model', async () => {
   });
   const told = Number((await legend.locator('.ends span').last().textContent()) ?? 0);
   assert.ok(Math.abs(told / longest - 1) < 0.05, `${told} for ${longest}`);
-  await viewer.evaluate((viewer) => viewer.setAttribute('exploded', '0.5'));
+  const marksFromLeft = await viewer.evaluate((viewer) => {
+    document.dir = 'rtl'; // where the colours go from left to right, too
+    const [first, last] = viewer.shadowRoot.querySelectorAll('.distances .ends span');
+    return first.getBoundingClientRect().x < last.getBoundingClientRect().x;
+  });
+  assert.ok(marksFromLeft, 'numbers go the way of the colours');
+  await viewer.evaluate((viewer) => {
+    document.dir = 'ltr';
+    viewer.setAttribute('exploded', '0.5');
+  });
   await legend.waitFor({ state: 'hidden' }); // the parts have the colours of regions
   await viewer.evaluate((viewer) => viewer.removeAttribute('exploded'));
   await legend.waitFor();

@@ -18,7 +18,7 @@ const style = `
   :host([exploded]:not([exploded='0'])) .legend,
   :host(:is([layers~='distances'], [layers~='original'])) .density { display: none; }
   .scale { height: 10px; border-radius: 3px; forced-color-adjust: none; }
-  .ends { display: flex; justify-content: space-between; font-variant-numeric: tabular-nums; }
+  .ends { display: flex; justify-content: space-between; direction: ltr; }
   @container (max-width: 600px) or (max-height: 400px) {
     .legend { width: 160px; padding: 5px 8px; font-size: 11px; }
     .legend .detail { display: none; }
