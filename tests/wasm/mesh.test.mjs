@@ -371,7 +371,10 @@ test('every component gets sites if they are asked for, and what has none is tol
   assert.ok(Math.abs(bare.area - 1.0002) < 1e-9);
   await assert.rejects(
     mesh.sampleSites(7, { perComponent: 2 }),
-    fails('invalid-argument', /2 per component, of which the mesh has 4, makes 8 sites, more than the 7 in all/),
+    fails(
+      'invalid-argument',
+      /2 per component, of which the mesh has 4, makes 8 sites, more than the 7 in all/,
+    ),
   );
 });
 
