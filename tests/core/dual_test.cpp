@@ -13,6 +13,7 @@
 #include "gvd/dynamic_diagram.h"
 #include "gvd/error.h"
 #include "gvd/partition.h"
+#include "gvd/remesh.h"
 #include "gvd/sampling.h"
 #include "shapes.h"
 #include "surface_checks.h"
@@ -397,6 +398,17 @@ TEST(Repair, AsksForDistancesInSteps) {
   ASSERT_FALSE(added.empty());
   // Each is in a region that shows a violation, well away from the sites.
   for (const SurfacePoint& p : added) EXPECT_GT(traced.field->nearest(p).distance, 0.01);
+}
+
+/// Triangles of the dual had no area where sites were added on the boundary itself.
+TEST(Repair, AddsNoSitesOnTheBoundary) {
+  const auto mesh = shapes::cylinder(24, 1, 1, 4).mesh();
+  const std::vector<SurfacePoint> sites = {centroid(0)};
+  const RepairedSites repaired = repair(mesh, sites, Metric::kExact);
+  ASSERT_GT(repaired.added, 2);
+  for (const SurfacePoint& site : repaired.sites) EXPECT_GT(site.bary.minCoeff(), 1e-3);
+  const PolygonMesh dual = dualMesh(mesh, repaired.sites, repaired.diagram);
+  EXPECT_GT(measureQuality(mesh, dual).minAngle, 1);
 }
 
 TEST(Repair, RefusesANegativeNumberOfSites) {

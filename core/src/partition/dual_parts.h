@@ -79,11 +79,12 @@ inline std::vector<SurfacePoint> sitesOf(const TriangleMesh& mesh, const Diagram
   return allOnMesh(mesh, sites, "site ");
 }
 
-/// A violation, and the points of the partition where it shows: the one farthest from all sites
-/// is a good place for another site.
+/// A violation, and the triangles of the partition where it shows: the middle of the one farthest
+/// from all sites is a good place for another site. It is not on the mesh boundary, where triangles
+/// of the dual could have no area.
 struct Finding {
   Violation violation;
-  std::vector<int> points;
+  std::vector<int> triangles;
 };
 
 /// Like `findViolations`, in the same order.

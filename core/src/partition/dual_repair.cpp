@@ -51,7 +51,9 @@ class RepairRound {
                                          [&](int label) { return isTouched_[label]; });
       if (isTouched) continue;
       Gap& gap = result.emplace_back(Gap{v.labels, {}});
-      for (const int point : finding.points) gap.points.push_back(partition_.points[point]);
+      for (const int t : finding.triangles)
+        gap.points.push_back(
+            {partition_.triangleFace[t], cornersInFace(mesh_, partition_, t).rowwise().mean()});
       for (const int label : v.labels) touch(label);
     }
     return result;

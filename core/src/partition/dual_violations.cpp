@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -52,23 +53,28 @@ class Inspector {
 
  private:
   void add(Violation::Kind kind, std::vector<int> labels, std::string message,
-           std::vector<int> points = {}) {
-    found_.push_back({{kind, std::move(labels), std::move(message)}, std::move(points)});
+           std::vector<int> triangles = {}) {
+    found_.push_back({{kind, std::move(labels), std::move(message)}, std::move(triangles)});
   }
 
-  std::vector<int> pointsOf(const RegionPatch& region) const {
-    std::vector<int> points;
-    for (int i = 0; i < region.triangleCount; ++i)
-      for (const int p : partition_.triangles[region.firstTriangle + i]) points.push_back(p);
-    makeSet(points);
-    return points;
+  std::vector<int> trianglesOf(const RegionPatch& region) const {
+    std::vector<int> triangles(region.triangleCount);
+    std::iota(triangles.begin(), triangles.end(), region.firstTriangle);
+    return triangles;
   }
 
-  void addPointsOf(const RegionComplex::Border& border, std::vector<int>& points) const {
-    for (const int h : border.path) {
-      points.push_back(tailOf(partition_.triangles, h));
-      points.push_back(tipOf(partition_.triangles, h));
-    }
+  void addBeside(int h, std::vector<int>& triangles) const {
+    triangles.push_back(h / 3);
+    if (partition_.twins[h] >= 0) triangles.push_back(partition_.twins[h] / 3);
+  }
+
+  void addBeside(const RegionComplex::Border& border, std::vector<int>& triangles) const {
+    for (const int h : border.path) addBeside(h, triangles);
+  }
+
+  void addAround(int vertex, std::vector<int>& triangles) const {
+    for (const int b : complex_.vertices[vertex].borders)
+      addBeside(complex_.borders[b].path.front(), triangles);
   }
 
   void inspectComponents() {
@@ -91,10 +97,11 @@ class Inspector {
       add(Violation::kNoDisk, {region.label},
           name + " is no disk: it has " + counted(region.components, "part") + ", " +
               counted(region.loops, "outline") + " and genus " + std::to_string(region.genus),
-          pointsOf(region));
+          trianglesOf(region));
     if (region.selfTouchings > 0)
       add(Violation::kTouchesItself, {region.label},
-          name + " touches itself in " + counted(region.selfTouchings, "point"), pointsOf(region));
+          name + " touches itself in " + counted(region.selfTouchings, "point"),
+          trianglesOf(region));
   }
 
   /// The regions around a vertex in ascending order, each once.
@@ -104,10 +111,10 @@ class Inspector {
     return labels;
   }
 
-  /// How often two regions meet, and at which points.
+  /// How often two regions meet, and the triangles there.
   struct Meeting {
     int count = 0;
-    std::vector<int> points;
+    std::vector<int> triangles;
   };
   using Meetings = std::map<std::pair<int, int>, Meeting>;
 
@@ -117,12 +124,13 @@ class Inspector {
       if (border.beyond < border.label) continue;  // the outside, or counted from the other side
       Meeting& meeting = meetings[{border.label, border.beyond}];
       ++meeting.count;
-      addPointsOf(border, meeting.points);
+      addBeside(border, meeting.triangles);
       if (border.fromVertex >= 0) continue;
-      std::vector<int> points;
-      addPointsOf(border, points);
+      std::vector<int> triangles;
+      addBeside(border, triangles);
       add(Violation::kClosedBorder, {border.label, border.beyond},
-          regions({border.label, border.beyond}) + " meet along a closed curve", std::move(points));
+          regions({border.label, border.beyond}) + " meet along a closed curve",
+          std::move(triangles));
     }
     for (int v = 0; v < static_cast<int>(complex_.vertices.size()); ++v)
       countMeetingsAt(v, meetings);
@@ -131,7 +139,7 @@ class Inspector {
         add(Violation::kTwoMeetTwice, {labels.first, labels.second},
             regions({labels.first, labels.second}) + " meet in " + std::to_string(meeting.count) +
                 " places",
-            meeting.points);
+            meeting.triangles);
   }
 
   /// Counts pairs of regions that meet at a vertex, but in none of the arcs that end there.
@@ -149,7 +157,7 @@ class Inspector {
         if (!inArcs.contains({labels[i], labels[k]})) {
           Meeting& meeting = meetings[{labels[i], labels[k]}];
           ++meeting.count;
-          meeting.points.push_back(complex_.vertices[v].point);
+          addAround(v, meeting.triangles);
         }
   }
 
@@ -165,7 +173,7 @@ class Inspector {
         for (size_t k = i + 1; k < around.size(); ++k)
           verticesOf[{around[i], around[k]}].push_back(v);
     }
-    std::map<std::vector<int>, std::vector<int>> found;  // regions → points
+    std::map<std::vector<int>, std::vector<int>> found;  // regions → triangles
     std::vector<int> common;
     for (const auto& [lowest, vertices] : verticesOf)
       for (size_t i = 0; i < vertices.size(); ++i)
@@ -174,12 +182,11 @@ class Inspector {
           common.clear();
           std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));
           if (common.size() < 3 || std::pair(common[0], common[1]) != lowest) continue;
-          for (const int v : {vertices[i], vertices[k]})
-            found[common].push_back(complex_.vertices[v].point);
+          for (const int v : {vertices[i], vertices[k]}) addAround(v, found[common]);
         }
-    for (const auto& [three, points] : found)
+    for (const auto& [three, triangles] : found)
       add(Violation::kThreeMeetTwice, three,
-          regions(three) + " meet in more than one Voronoi point", points);
+          regions(three) + " meet in more than one Voronoi point", triangles);
   }
 
   /// Checks the loops of the mesh boundary: those with vertices run by run, then those without.
@@ -187,25 +194,26 @@ class Inspector {
     std::vector<char> isWalked(complex_.vertices.size(), false);
     for (int start = 0; start < static_cast<int>(complex_.vertices.size()); ++start) {
       if (isWalked[start] || !complex_.vertices[start].isOnBoundary()) continue;
-      std::vector<int> labels, points;
+      std::vector<int> labels, triangles;
       for (int v = start; !isWalked[v];) {
         isWalked[v] = true;
         const RegionComplex::Border& run = complex_.borders[complex_.vertices[v].borders.front()];
         labels.push_back(run.label);
-        addPointsOf(run, points);
+        addBeside(run, triangles);
         v = run.toVertex;
       }
       if (labels.size() >= 3) continue;
       makeSet(labels);
       add(Violation::kFewRuns, labels, "a loop of the mesh boundary passes only " + regions(labels),
-          std::move(points));
+          std::move(triangles));
     }
     for (const RegionComplex::Border& border : complex_.borders) {
       if (border.beyond != RegionComplex::kOutside || border.fromVertex >= 0) continue;
-      std::vector<int> points;
-      addPointsOf(border, points);
+      std::vector<int> triangles;
+      addBeside(border, triangles);
       add(Violation::kFewRuns, {border.label},
-          "a loop of the mesh boundary passes only " + regions({border.label}), std::move(points));
+          "a loop of the mesh boundary passes only " + regions({border.label}),
+          std::move(triangles));
     }
   }
 
