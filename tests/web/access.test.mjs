@@ -189,6 +189,16 @@ suite('access', () => {
       if (isBeside) assert.ok(across >= 380 && down > 0.8 * height, `${across} × ${down}`);
       else assert.equal(across, width);
     }
+    // The last one is of a page that is zoomed by four: it scrolls, so that all of it can be seen.
+    for (const isOpen of [false, true]) {
+      if (isOpen) await viewer.page.click('#sheet');
+      const heights = await viewer.page.evaluate(() => {
+        const box = (selector) => document.querySelector(selector).getBoundingClientRect();
+        return { view: box('aside').top - box('header').bottom, panel: box('#panel').height };
+      });
+      assert.ok(heights.view > (isOpen ? 70 : 180), `${heights.view} of the view are seen`);
+      assert.ok(!isOpen || heights.panel > 120, `${heights.panel} of the panel are seen`);
+    }
     await viewer.close();
   });
 
