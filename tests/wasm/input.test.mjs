@@ -282,6 +282,24 @@ test('files come in any order, by paths that are percent-encoded or not', async 
   );
 });
 
+test('bytes in shared memory are read, of which browsers decode no text', async (t) => {
+  const { decode } = TextDecoder.prototype;
+  t.after(() => (TextDecoder.prototype.decode = decode));
+  TextDecoder.prototype.decode = function (bytes, ...rest) {
+    assert.ok(!(bytes?.buffer instanceof SharedArrayBuffer));
+    return decode.call(this, bytes, ...rest);
+  };
+  for (const bytes of [
+    glb(octahedron()),
+    meshObj(octahedron()),
+    zipSync({ 'a.obj': meshObj(octahedron()) }),
+  ]) {
+    const shared = new Uint8Array(new SharedArrayBuffer(bytes.length));
+    shared.set(bytes);
+    assert.equal((await gvd.mesh(shared)).info.faces, 8);
+  }
+});
+
 test('a zip that is broken, or a bomb, is refused', async () => {
   const zip = zipSync({ 'a.obj': meshObj(octahedron()) });
   const stored = zipSync({ 'a.obj': [meshObj(octahedron()), { level: 0 }] });

@@ -57,7 +57,9 @@ export class FileSet {
 
   async read(path: string): Promise<Uint8Array> {
     const file = this.#files.get(path)!;
-    if (isA(file, 'Uint8Array')) return file;
+    // Browsers decode no text in memory that threads share, and these might change it meanwhile.
+    if (isA(file, 'Uint8Array'))
+      return isA(file.buffer, 'ArrayBuffer') ? file : new Uint8Array(file);
     try {
       return new Uint8Array(await file.arrayBuffer());
     } catch (cause) {
