@@ -40,7 +40,7 @@ suite('first sight', () => {
     assert.ok(even.at(-1) / even[0] < 3, `areas from ${even[0]} to ${even.at(-1)}`);
     assert.match(
       await viewer.page.locator('#caption').textContent(),
-      /Each colour is .+ Click the model/s,
+      /Each colour is .+\sClick the model/s,
     );
 
     await viewer.after('diagram', () => viewer.page.click('#undo'));
