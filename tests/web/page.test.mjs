@@ -613,8 +613,16 @@ suite('the page', () => {
     assert.equal(await viewer.page.locator('#error').isVisible(), false, 'its diagram is gone');
     await viewer.after('diagram', () => viewer.page.click('#undo'));
     await viewer.page.locator('#dual-note:visible', { hasText: reason }).waitFor();
-    const valid = await viewer.after('dual', () => viewer.page.click('#repair'));
-    assert.deepEqual(valid.violations, []);
+    // The dual of the diagram that is there again may come after the click.
+    await viewer.evaluate(
+      (viewer) =>
+        new Promise((resolve) => {
+          viewer.addEventListener('dual', ({ detail }) => {
+            if (detail?.violations.length === 0) resolve();
+          });
+          document.querySelector('#repair').click();
+        }),
+    );
     assert.ok((await viewer.siteCount()) > 3);
     assert.match(await text(viewer, '#dual-note'), /is a valid mesh/);
     assert.equal(await viewer.page.locator('#repair').isVisible(), false);
