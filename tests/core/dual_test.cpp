@@ -470,13 +470,20 @@ TEST(Repair, SaysThatSitesDoNotHelpAlongAnEdgeThatIsCut) {
   ASSERT_EQ(mesh.repairs().nonManifoldEdges, 1);
   const std::vector<SurfacePoint> sites = {centroid(2)};
   try {
-    repair(mesh, sites, Metric::kExact);
+    repair(mesh, sites, Metric::kExact, {.maxAdded = 4000});
     FAIL();
   } catch (const Error& e) {
     EXPECT_EQ(e.code(), ErrorCode::kTooFewSites);
     EXPECT_NE(std::string(e.what()).find("triangles are too long: site"), std::string::npos)
         << e.what();
   }
+}
+
+/// The only triangle's middle is where the first site is.
+TEST(Repair, AddsSitesToOneTriangle) {
+  const auto mesh = shapes::triangle().mesh();
+  const std::vector<SurfacePoint> sites = {centroid(0)};
+  EXPECT_EQ(repair(mesh, sites, Metric::kExact).added, 2);
 }
 
 TEST(Repair, GivesTheSameSitesEveryTime) {

@@ -105,14 +105,14 @@ std::vector<Violation> findViolations(const TriangleMesh& mesh, std::span<const 
 std::unique_ptr<SlicedWork<std::vector<Violation>>> startViolations(
     const TriangleMesh& mesh, std::span<const SurfacePoint> sites, const Diagram& diagram);
 
-/// The sites that one round of `repair` adds. For each violation, this is the middle of a triangle
-/// of the partition, of those that show the violation the one farthest from its site; a component
-/// without a site gets one point. A violation is left to the next round if a region concerned is
-/// next to one that gets a new site in this round, because it may then be gone. Empty if there are
-/// no violations.
+/// The sites that one round of `repair` adds. For each violation, this is a point inside a triangle
+/// of the partition, a quarter of the way from its middle to a corner: of those in triangles that
+/// show the violation, the one farthest from its site. A component without a site gets one point. A
+/// violation is left to the next round if a region concerned is next to one that gets a new site in
+/// this round, because it may then be gone. Empty if there are no violations.
 ///
 /// `field` holds the distances that the diagram was traced from. Costs as much as `findViolations`,
-/// and `DistanceField::distancesAt` the middles of the triangles that show a violation.
+/// and `DistanceField::distancesAt` three points of each triangle that shows a violation.
 /// Throws `Error(kInvalidArgument)` if a site has no region because another one is at its place:
 /// further sites do not help. Throws `std::logic_error` for `Violation::kNoManifold`.
 std::vector<SurfacePoint> repairingSites(const TriangleMesh& mesh,

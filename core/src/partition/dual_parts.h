@@ -79,9 +79,9 @@ inline std::vector<SurfacePoint> sitesOf(const TriangleMesh& mesh, const Diagram
   return allOnMesh(mesh, sites, "site ");
 }
 
-/// A violation, and the triangles of the partition where it shows: the middle of the one farthest
-/// from all sites is a good place for another site. It is not on the mesh boundary, where triangles
-/// of the dual could have no area.
+/// A violation, and the triangles of the partition where it shows. A place inside of one, far from
+/// all sites, is good for another site: on the mesh boundary, triangles of the dual could have no
+/// area.
 struct Finding {
   Violation violation;
   std::vector<int> triangles;

@@ -51,9 +51,13 @@ class RepairRound {
                                          [&](int label) { return isTouched_[label]; });
       if (isTouched) continue;
       Gap& gap = result.emplace_back(Gap{v.labels, {}});
-      for (const int t : finding.triangles)
-        gap.points.push_back(
-            {partition_.triangleFace[t], cornersInFace(mesh_, partition_, t).rowwise().mean()});
+      for (const int t : finding.triangles) {
+        // Three, since a site may be in the middle.
+        const Eigen::Matrix3d corners = cornersInFace(mesh_, partition_, t);
+        const Eigen::Vector3d middle = corners.rowwise().mean();
+        for (int i = 0; i < 3; ++i)
+          gap.points.push_back({partition_.triangleFace[t], (3 * middle + corners.col(i)) / 4});
+      }
       for (const int label : v.labels) touch(label);
     }
     return result;
