@@ -7,8 +7,8 @@ const build = { 'max-edge': '0', weld: '0', orientation: 'unify', 'min-component
 /** How sites are placed. */
 const sampling = { sites: '0', seed: '1', sampling: 'random', 'per-component': '0' };
 
-export const buildAttributes = Object.keys(build);
-export const samplingAttributes = Object.keys(sampling);
+export const buildAttributes = Object.keys(build) as (keyof typeof build)[];
+export const samplingAttributes = Object.keys(sampling) as (keyof typeof sampling)[];
 
 /** The library has the same defaults for what its functions take, so code may leave these out. */
 export const attributeDefaults: Readonly<Record<string, string>> = {
