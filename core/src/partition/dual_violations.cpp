@@ -57,7 +57,7 @@ class Inspector {
     found_.push_back({{kind, std::move(labels), std::move(message)}, std::move(triangles)});
   }
 
-  std::vector<int> trianglesOf(const RegionPatch& region) const {
+  static std::vector<int> trianglesOf(const RegionPatch& region) {
     std::vector<int> triangles(region.triangleCount);
     std::iota(triangles.begin(), triangles.end(), region.firstTriangle);
     return triangles;
