@@ -377,7 +377,8 @@ export class Session {
 
   /**
    * After a pause, the last iteration shown becomes the diagram, without waiting for one under way.
-   * It is computed anew only if its metric or detail differs from those wanted. Before the first, none has changed it.
+   * It is computed anew only if its metric or detail differs from those wanted. Before the first
+   * iteration nothing has been drawn, so nobody is told.
    */
   #rest(): void {
     const shown = this.#shown;

@@ -52,7 +52,7 @@ class RepairRound {
       if (isTouched) continue;
       Gap& gap = result.emplace_back(Gap{v.labels, {}});
       for (const int t : finding.triangles) {
-        // Three, since a site may be in the middle.
+        // Three candidates per triangle, because the middle may be the place of a site.
         const Eigen::Matrix3d corners = cornersInFace(mesh_, partition_, t);
         const Eigen::Vector3d middle = corners.rowwise().mean();
         for (int i = 0; i < 3; ++i)
