@@ -9,9 +9,7 @@
 namespace gvd {
 namespace {
 
-[[noreturn]] void rejectMesh(const std::string& why) { throw Error(ErrorCode::kInvalidMesh, why); }
-
-void requireTriples(std::size_t count, const std::string& what) {
+void requireMultipleOfThree(std::size_t count, const std::string& what) {
   if (count % 3 != 0)
     rejectMesh("there are " + std::to_string(count) + " " + what + ", not a multiple of three");
   if (count > std::numeric_limits<int>::max()) rejectMesh("there are too many " + what);
@@ -19,9 +17,11 @@ void requireTriples(std::size_t count, const std::string& what) {
 
 }  // namespace
 
+void rejectMesh(const std::string& why) { throw Error(ErrorCode::kInvalidMesh, why); }
+
 void requireTriples(std::size_t coordinates, std::size_t indices) {
-  requireTriples(coordinates, "coordinates");
-  requireTriples(indices, "vertex indices");
+  requireMultipleOfThree(coordinates, "coordinates");
+  requireMultipleOfThree(indices, "vertex indices");
 }
 
 void requireVertices(std::span<const int> triangles, int triangle, int vertexCount) {

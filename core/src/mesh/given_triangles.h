@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// Checks triangles that are given as flat arrays.
+// Checks of triangles that are given as flat arrays.
 #pragma once
 
 #include <cstddef>
 #include <span>
+#include <string>
 
 namespace gvd {
+
+/// Throws `Error(kInvalidMesh)`: of these triangles no mesh can be made.
+[[noreturn]] void rejectMesh(const std::string& why);
 
 /// Throws `Error(kInvalidMesh)` unless both arrays have a multiple of three numbers, as many as an
 /// int can count.

@@ -31,8 +31,6 @@ constexpr long kMeasuredFaces = 2;
 /// diagonal: sixteen times the rounding of coordinates in single precision.
 constexpr double kSeamWidth = 1e-6;
 
-[[noreturn]] void rejectMesh(const std::string& why) { throw Error(ErrorCode::kInvalidMesh, why); }
-
 void requireValid(const MeshOptions& options) {
   const auto reject = [](const std::string& why) { throw Error(ErrorCode::kInvalidArgument, why); };
   if (!(options.weld >= 0 && options.weld <= 1))
