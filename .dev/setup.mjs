@@ -30,10 +30,11 @@ const libraries = {
   },
 };
 
-/** The browser that the tests drive. */
+/** The browser that the tests drive; without windows of its own, Chromium opens pages faster. */
 export function chromium() {
   if (process.env.CHROME_PATH) return process.env.CHROME_PATH;
   return [
+    '/usr/bin/chromium-headless-shell',
     '/usr/bin/chromium',
     '/usr/bin/chromium-browser',
     '/usr/bin/google-chrome',
@@ -46,7 +47,8 @@ export function setUp(purpose) {
   const wanted = ({ build, test }) =>
     Object.entries(purpose === 'test' ? { ...build, ...test } : build);
   const missing = wanted(commands).filter(([name]) => !hasCommand(name));
-  if (purpose === 'test' && !chromium()) missing.push(['Chromium (or CHROME_PATH)', 'chromium']);
+  if (purpose === 'test' && !chromium())
+    missing.push(['Chromium (or CHROME_PATH)', 'chromium-headless-shell']);
   const fetched = wanted(libraries).filter(([header]) => !hasHeader(header));
   if (missing.length + fetched.length > 0) install(missing, fetched);
   installModules();

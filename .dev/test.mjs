@@ -77,13 +77,19 @@ const runners = [
     closing: (text) => text.match(/^.*tests passed.*$/m)?.[0],
   },
 ];
-const fuzzed = [
+/** Several files are compiled as one, which takes half of the time. What is measured and shipped is not. */
+const watched = [
   '-DCMAKE_BUILD_TYPE=Debug',
+  '-DCMAKE_UNITY_BUILD=ON',
+  '-DCMAKE_UNITY_BUILD_BATCH_SIZE=16',
+];
+const fuzzed = [
+  ...watched,
   '-DCMAKE_CXX_COMPILER=clang++',
   '-DGVD_SANITIZE=address,undefined,float-cast-overflow,fuzzer-no-link',
 ];
 const sanitized = [
-  '-DCMAKE_BUILD_TYPE=Debug',
+  ...watched,
   '-DGVD_SANITIZE=address,undefined,float-cast-overflow',
   '-DGVD_PROPERTY_CASES=1000',
   '-DCGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE=ON',
