@@ -38,24 +38,26 @@ const withoutIndentation = {
 
 /**
  * Shader texts of three.js for features that the page does not use: other materials, maps other
- * than of colour, shadows, fog, skins, light probes, clipping planes and tone mapping. They are a
- * tenth of the first download, and bundlers cannot see that they are unused. A material that needs
- * one of them does not compile until it is taken off this list.
+ * than of colour, shadows, fog, skins, morph targets, particles, light probes, clipping planes,
+ * dithering, packed depths and tone mapping. They are a tenth of the first download, and bundlers
+ * cannot see that they are unused. A material that needs one of them does not compile until it is
+ * taken off this list.
  */
 const neededByNothing = {
   ShaderLib:
     /background|cube|depth|distance|equirect|linedashed|matcap|normal|phong|physical|points|shadow|sprite|toon|vsm/,
   ShaderChunk:
-    /physical|phong|toon|transmission|iridescence|clearcoat|lightprobes|tonemapping_pars|shadowm|(ao|bump|displacement|emissive|env|gradient|light|metalness|normal|roughness)map|normal_fragment_maps|alphahash|batching|clipping|fog|logdepth|skin/,
+    /physical|phong|toon|transmission|iridescence|clearcoat|lightprobes|tonemapping_pars|shadowm|(ao|bump|displacement|emissive|env|gradient|light|metalness|normal|roughness)map|normal_fragment_maps|alphahash|batching|clipping|dithering|fog|logdepth|morph|packing|particle|skin/,
 };
 
 /**
  * Modules of three.js that its renderer makes or names, but that do nothing here: virtual reality,
- * shadows, light probes, passes after the picture, uniforms in groups. Stubs replace them, with
+ * shadows, morph targets, light probes, passes after the picture, uniforms in groups. Stubs replace them, with
  * just the members that the renderer uses in any case.
  */
 const idleModules = {
   'extras/PMREMGenerator.js': 'export class PMREMGenerator {}',
+  'renderers/webgl/WebGLMorphtargets.js': 'export class WebGLMorphtargets {}',
   'renderers/webgl/WebGLOutput.js': 'export class WebGLOutput {}',
   'renderers/webgl/WebGLShadowMap.js':
     'export class WebGLShadowMap { enabled = false; render() {} }',
