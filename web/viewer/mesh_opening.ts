@@ -30,7 +30,7 @@ export interface SiteSampling {
 /** How a model is opened. */
 export interface Opening {
   build: Pick<MeshOptions, 'maxEdge' | 'weld' | 'orientation' | 'minComponent'>;
-  /** How sites are sampled, asked once the mesh is there: it may have changed while that was read. */
+  /** How sites are sampled; it may change while the model is opened. */
   siteSampling: () => SiteSampling;
   /** Sites and density of another mesh of the same model, which are put where they were. */
   kept?: Kept | undefined;
@@ -39,7 +39,7 @@ export interface Opening {
 interface Kept {
   mesh: Mesh;
   /** In place of sampled sites; undefined if these are wanted. */
-  sites?: (() => SurfacePoints) | undefined;
+  sites: () => SurfacePoints | undefined;
   tints: Tints;
 }
 
@@ -85,10 +85,10 @@ export async function openMesh(
       throw sentence(`${files.name} cannot be opened`, error);
     });
     const placing = { signal, onProgress: between(meshShare, 1) };
-    const [sites, tints, scene] = await Promise.all([
-      keptSites(mesh, kept, placing) ?? sampleSites(mesh, siteSampling(), placing),
-      keptTints(mesh, kept, { signal }),
-      sceneOf(mesh, builder, signal),
+    const rest = Promise.all([keptTints(mesh, kept, { signal }), sceneOf(mesh, builder, signal)]);
+    const [sites, [tints, scene]] = await Promise.all([
+      firstSites(mesh, { siteSampling, kept }, rest, placing),
+      rest,
     ]);
     signal.throwIfAborted();
     const name = lastSegment(mesh.info.origin.file);
@@ -110,16 +110,32 @@ async function sceneOf(
   return new SceneMesh(arrays ?? (await import('./scene_arrays.js')).sceneArrays(mesh));
 }
 
+/** The sites that are wanted when the rest is done. */
+async function firstSites(
+  mesh: Mesh,
+  { siteSampling, kept }: Omit<Opening, 'build'>,
+  rest: Promise<unknown>,
+  task: TaskOptions,
+): Promise<PointList> {
+  for (;;) {
+    const wanted = siteSampling();
+    const sites = await (keptSites(mesh, kept, task) ?? sampleSites(mesh, wanted, task));
+    await rest;
+    if (JSON.stringify(siteSampling()) === JSON.stringify(wanted)) return sites;
+  }
+}
+
 /** The sites that are kept, where they were. */
 function keptSites(
   mesh: Mesh,
   kept: Kept | undefined,
   task: TaskOptions,
 ): Promise<PointList> | undefined {
+  const sites = kept?.sites();
   return (
-    kept?.sites &&
-    kept.mesh
-      .positionsOf(kept.sites())
+    sites &&
+    kept?.mesh
+      .positionsOf(sites)
       .then((positions) => mesh.closestPoints(positions, task))
       .catch((error) => {
         throw sentence('The sites cannot be kept', error);

@@ -157,8 +157,8 @@ export class Viewer implements Workpiece {
   async rebuild(read: Reader): Promise<void> {
     const { attributes, session } = this;
     const { mesh } = session;
-    const areOthersAsked = attributes.differ(samplingAttributes);
-    const sites = areOthersAsked ? undefined : () => surfacePointsOf(session.sites);
+    const sites = () =>
+      attributes.differ(samplingAttributes) ? undefined : surfacePointsOf(session.sites);
     const kept = mesh && { mesh, sites, tints: this.#model?.paint.tints?.slice() };
     await session.open(read, { ...attributes.opening, kept });
   }
