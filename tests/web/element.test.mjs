@@ -442,6 +442,54 @@ suite('attributes and events', () => {
     assert.equal(count, 12);
   });
 
+  test('sites that are asked for while the first ones are sampled replace them', async (context) => {
+    const viewer = await opened(context, 'empty.html');
+    const { count, steps } = await viewer.page.evaluate(async () => {
+      const element = document.createElement('geodesic-voronoi');
+      const steps = [];
+      const others = ({ detail: { totalProgress } }) => {
+        if (totalProgress <= 0.8 || element.loaded) return; // not being sampled yet, or no more
+        steps.push('sampled');
+        element.sites = 12;
+      };
+      element.addEventListener('progress', others);
+      element.addEventListener('load', () => steps.push('opened'));
+      element.addEventListener('sites-change', ({ detail }) => {
+        if (detail.canUndo) steps.push('can be undone');
+      });
+      const drawn = new Promise((resolve) => element.addEventListener('diagram', resolve));
+      element.sites = 7;
+      element.src = '/samples/torus.glb';
+      document.body.append(element);
+      await drawn;
+      return { count: element.sites.face.length, steps: [...new Set(steps)] };
+    });
+    assert.equal(count, 12);
+    assert.deepEqual(steps, ['sampled', 'opened']);
+  });
+
+  test('a diagram that cannot be made is told of on the view until there is one', async (context) => {
+    const viewer = await opened(context, 'empty.html');
+    await viewer.evaluate(() => {
+      const element = document.createElement('geodesic-voronoi');
+      Object.assign(element, { src: '/samples/torus.glb', sites: 7 });
+      element.setAttribute('metric', 'foo');
+      document.body.append(element);
+    });
+    const message = viewer.page.locator('geodesic-voronoi [part="message"]');
+    await message.filter({ hasText: 'metric is "foo", not one of exact, dgpc' }).waitFor();
+    const setting = (name, value) =>
+      viewer.evaluate((viewer, [name, value]) => viewer.setAttribute(name, value), [name, value]);
+    await viewer.after('error', () => setting('detail', '99'));
+    await viewer.after('error', () => setting('metric', 'exact'));
+    await message.filter({ hasText: 'The diagram cannot be made: detail is 99' }).waitFor();
+    await viewer.after('diagram', () => setting('detail', '1'));
+    assert.ok(await message.isHidden());
+    // What is shown then stays in view.
+    await viewer.after('error', () => setting('metric', 'foo'));
+    assert.ok(await message.isHidden());
+  });
+
   test('properties may be set before the script has come', async (context) => {
     const viewer = await opened(context, 'early.html');
     await viewer.page.waitForFunction(

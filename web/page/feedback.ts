@@ -153,7 +153,7 @@ const isIncomplete = /needs the file .+, which is missing\.$/;
 
 function setUpErrors(viewer: GeodesicVoronoiElement): void {
   onClick('error-close', hideError);
-  // Without a model the view itself says why there is none, for as long as that is so.
+  // Without a model, or a diagram, the view itself says why there is none, for as long as that is so.
   const tellNone = (advice: string) => {
     byId('progress', HTMLElement).hidden = true;
     byId('status', HTMLElement).textContent = `No model is open.${advice}`;
@@ -164,7 +164,7 @@ function setUpErrors(viewer: GeodesicVoronoiElement): void {
     byId('progress', HTMLElement).hidden = true;
     if (!viewer.loaded) {
       tellNone(type === 'nowebgl' ? '' : ' Reload the page to try again, or open another model.');
-    } else if (type === 'loadfailure' || type === 'computefailure') {
+    } else if (type === 'loadfailure' || (type === 'computefailure' && viewer.diagram)) {
       const advice = isIncomplete.test(message) ? ' Open both together, or their folder.' : '';
       showError(message + advice);
     }

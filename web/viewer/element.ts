@@ -348,9 +348,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
         emit,
         hint: (sentence) => shadow.hint(sentence),
         contextLost: () => fail('webglcontextlost', contextLost),
-        contextRestored: () => {
-          shadow.message = undefined;
-        },
+        contextRestored: () => (shadow.message = undefined),
       });
     } catch (cause) {
       this.setAttribute('status', 'failed');
@@ -385,13 +383,15 @@ export class GeodesicVoronoiElement extends ReflectingElement {
       if (this.#shadow) this.#shadow.progress = totalProgress;
     });
     this.addEventListener('sites-change', () => this.#describe());
-    this.addEventListener('load', () => {
-      if (this.#shadow) this.#shadow.message = undefined;
-      this.#showPoster();
-    });
-    // If there is a model, it stays in view, and the page reports the failure.
+    for (const type of ['load', 'diagram'])
+      this.addEventListener(type, () => {
+        if (this.#shadow && this.#shadow.message !== contextLost) this.#shadow.message = undefined;
+        this.#showPoster();
+      });
+    // A model or a diagram that is there stays in view, and the page reports the failure.
     this.addEventListener('error', ({ detail: { type, message } }) => {
-      if (type === 'loadfailure' && this.#shadow && !this.loaded) this.#shadow.message = message;
+      const isThere = type === 'loadfailure' ? this.loaded : this.diagram;
+      if (this.#shadow && !isThere) this.#shadow.message = message;
     });
   }
 
