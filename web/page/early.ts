@@ -16,8 +16,8 @@ byId('poster', HTMLElement).hidden = modelOf(location.hash) !== modelOf('');
 const bar = byId('progress-bar', HTMLProgressElement);
 let received = 0;
 
-async function fetchCounted(address: string): Promise<Response> {
-  const response = await fetch(address);
+async function fetchCounted(address: string, signal?: AbortSignal): Promise<Response> {
+  const response = await fetch(address, { signal });
   count(response.clone()).catch(() => {});
   return response;
 }
@@ -34,10 +34,11 @@ async function count({ body }: Response): Promise<void> {
 // A fetch that fails is repeated, or reported, where its result is needed. The first model needs no
 // other module than this one.
 const modules = WebAssembly.compileStreaming(fetchCounted(core)).then((wasm) => ({ wasm }));
-const model = fetchCounted(modelOf(location.hash));
+const opening = new AbortController();
+const model = fetchCounted(modelOf(location.hash), opening.signal);
 for (const each of [modules, model]) each.catch(() => {});
 
-void import('./main.js').then(({ setUpPage }) => setUpPage(modules, model), tellFailure);
+void import('./main.js').then(({ setUpPage }) => setUpPage(modules, model, opening), tellFailure);
 
 /** Reports that the large script failed; only this one is left to do so. */
 function tellFailure({ message }: Error): void {

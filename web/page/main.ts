@@ -27,9 +27,18 @@ import { setUpToolbar } from './toolbar.js';
 import { setUpViewControls } from './view_controls.js';
 
 /** Sets up the page; the fetches of the modules and of the first model have begun already. */
-export function setUpPage(modules: Promise<LoadOptions>, model: Promise<Response>): void {
+export function setUpPage(
+  modules: Promise<LoadOptions>,
+  model: Promise<Response>,
+  opening: AbortController,
+): void {
   provideModules(modules);
-  provideModel(modelOf(location.hash), model);
+  provideModel(modelOf(location.hash), (signal) => {
+    // It may be given up before the library is there that asks for the model.
+    if (signal.aborted) opening.abort();
+    signal.addEventListener('abort', () => opening.abort());
+    return model;
+  });
   const viewer = byId('viewer', GeodesicVoronoiElement);
   setUpFeedback(viewer);
   setUpModelChoice(viewer);

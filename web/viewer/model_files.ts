@@ -38,12 +38,16 @@ export async function droppedFiles(dropped: DataTransfer): Promise<ModelFiles> {
   return byPath((await Promise.all(found)).flat());
 }
 
-/** Answers to requests that a page has made before, by address; each is read once. */
-const provided = new Map<string, Promise<Response>>();
+/** Requests that a page has made before, by address; the response to each is read once. */
+const provided = new Map<string, typeof request>();
 
-/** Provides the response for the model at an address, for the next time that it is asked for. */
-export function provideModel(address: string, response: Promise<Response>): void {
-  provided.set(new URL(address, document.baseURI).href, response);
+/** Provides the request for the model at an address, for the next time that it is asked for. */
+export function provideModel(address: string, made: typeof request): void {
+  provided.set(new URL(address, document.baseURI).href, made);
+}
+
+function request(signal: AbortSignal, url: URL): Promise<Response> {
+  return fetch(url, { signal });
 }
 
 /** The model at an address (a path after a # chooses one in a zip), fetching files it refers to. */
@@ -102,9 +106,9 @@ async function fetchBytes(
   const name = lastSegment(url.pathname);
   let response: Response;
   try {
-    const given = provided.get(url.href);
+    const made = provided.get(url.href) ?? request;
     provided.delete(url.href);
-    response = await (given ?? fetch(url, { signal }));
+    response = await made(signal, url);
   } catch (cause) {
     signal.throwIfAborted();
     throw new Error(`${name} cannot be fetched: the server does not answer.`, { cause });
