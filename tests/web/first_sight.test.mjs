@@ -275,7 +275,7 @@ suite('first sight', () => {
     assert.equal(await damaged.siteCount(), 12);
     await damaged.close();
 
-    const tooFine = await browser.open({ hash: '#v=1&model=torus.glb&max-edge=1e-7' });
+    const tooFine = await browser.open({ hash: '#v=1&model=torus.glb&max-edge=0.0001' });
     await tooFine.page.getByText('torus.glb cannot be opened').waitFor();
     assert.equal(
       await tooFine.page.locator('#poster').isVisible(),
@@ -283,12 +283,47 @@ suite('first sight', () => {
       'it is of another model',
     );
     await tooFine.close();
+  });
 
-    const uncountable = await browser.open({ hash: '#v=1&model=torus.glb&sites=1e9' });
-    await uncountable.settled();
-    assert.equal(await uncountable.siteCount(), 60);
-    assert.deepEqual(uncountable.complaints, []);
-    await uncountable.close();
+  test('the download of the first model ends when it is given up', async () => {
+    const viewer = await browser.open({
+      prepare: (page) => page.route('**/bunny.ply', () => {}), // which never answers
+    });
+    const ended = viewer.page.waitForEvent('requestfailed', {
+      predicate: (request) => request.url().endsWith('bunny.ply'),
+      timeout: 20_000,
+    });
+    await viewer.page.waitForFunction(
+      () => document.querySelector('geodesic-voronoi').status === 'loading',
+    );
+    await viewer.page.keyboard.press('Escape');
+    await ended;
+    await viewer.page.locator('#status', { hasText: 'No model is open.' }).waitFor();
+    await viewer.close();
+  });
+
+  test('settings of a link that cannot be are told of, and the model opens without them', async () => {
+    const impossible = [
+      ...['sites=1e9', 'seed=1.5', 'sampling=foo', 'per-component=-1'],
+      ...[
+        'max-edge=2',
+        'weld=bar',
+        'orientation=up',
+        'min-component=0.5',
+        'metric=baz',
+        'detail=99',
+      ],
+    ];
+    const viewer = await browser.open({ hash: `#v=1&model=torus.glb&${impossible.join('&')}` });
+    await viewer.page.locator('#error-text', { hasText: 'The link is damaged' }).waitFor();
+    await viewer.settled();
+    assert.equal(
+      await viewer.page.locator('#error-text').textContent(),
+      `The link is damaged. These parts cannot be used: ${impossible.join(', ')}.`,
+    );
+    assert.equal(await viewer.regionCount(), 60);
+    assert.deepEqual(viewer.complaints, []);
+    await viewer.close();
   });
 
   test('the address keeps what was done for reloading and coming back', async () => {

@@ -25,6 +25,9 @@ export const linkAttributes = [
   ...['metric', 'detail', 'up', 'layers', 'exploded', 'camera-orbit'],
 ];
 
+/** Those with values that the library may refuse; each has a field. */
+const refusable = [...samplingAttributes, ...buildAttributes, 'metric', 'detail'];
+
 /** Those that are about one model: the next one begins without them. */
 export const ofOneModel = [...buildAttributes, 'detail', 'up', 'exploded', 'camera-orbit'];
 
@@ -71,10 +74,11 @@ export function notHeld(viewer: GeodesicVoronoiElement): string[] {
 export function readPageState(viewer: GeodesicVoronoiElement, hash: string): void {
   const parameters = parametersOf(hash);
   if (parameters.get('v') !== version) return;
+  dropRefused(viewer, parameters);
   /** Sets an attribute as the link has it. Returns whether it had another value. */
   const restore = (name: string): boolean => {
     const value = parameters.get(name);
-    if (!isGiven(name, value) || (name === 'sites' && !isCount(value))) return false;
+    if (!isGiven(name, value)) return false;
     const isOther = viewer.getAttribute(name) !== value;
     viewer.setAttribute(name, value);
     return isOther;
@@ -115,10 +119,27 @@ function isGiven(name: string, value: string | null): value is string {
   return value !== null && (value !== '' || name === 'layers');
 }
 
-/** Whether a text is a number of sites that may be placed. */
-function isCount(value: string): boolean {
-  const { min, max } = byId('count', HTMLInputElement);
-  return Number(value) >= Number(min) && Number(value) <= Number(max);
+/** Removes the values that their fields would not take, and tells of them once there is a model. */
+function dropRefused(viewer: GeodesicVoronoiElement, parameters: URLSearchParams): void {
+  const refused = refusable
+    .map((name) => ({ name, value: parameters.get(name) }))
+    .filter(({ name, value }) => isGiven(name, value) && !isTaken(name, value));
+  if (refused.length === 0) return;
+  for (const { name } of refused) parameters.delete(name);
+  const list = refused.map(({ name, value }) => `${name}=${value}`).join(', ');
+  const tell = () => showError(`The link is damaged. These parts cannot be used: ${list}.`);
+  viewer.addEventListener('load', tell, { once: true });
+}
+
+/** Whether the page's field of an attribute takes a value. */
+function isTaken(name: string, value: string): boolean {
+  const radios = document.querySelectorAll<HTMLInputElement>(`input[name="${name}"]`);
+  if (radios.length > 0) return [...radios].some((radio) => radio.value === value);
+  // A copy: the field itself is not checked while its panel is disabled.
+  const field = document.getElementById(name === 'sites' ? 'count' : name)?.cloneNode(true);
+  const copy = field as HTMLInputElement | HTMLSelectElement;
+  copy.value = value;
+  return copy.value === value && copy.checkValidity();
 }
 
 function showSites(viewer: GeodesicVoronoiElement, text: string): void {
