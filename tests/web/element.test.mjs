@@ -580,6 +580,33 @@ suite('attributes and events', () => {
     assert.equal(await viewer.regionCount(), 12);
   });
 
+  test('what is no place and what is no address are refused, in a sentence', async (context) => {
+    const viewer = await opened(context, 'one.html');
+    await viewer.settled();
+    const refusals = await viewer.evaluate((viewer) => {
+      const edits = [
+        () => viewer.addSite(),
+        () => viewer.addSite({ face: 1 }),
+        () => viewer.moveSite(0),
+        () => viewer.moveSite(0, { face: 1, bary: [1, 0] }),
+      ];
+      return edits.map((edit) => {
+        try {
+          return edit();
+        } catch ({ message }) {
+          return message;
+        }
+      });
+    });
+    for (const refusal of refusals)
+      assert.equal(refusal, 'a place is { face, bary }, with three coordinates');
+    assert.equal(await viewer.siteCount(), 12);
+    const { message } = await viewer.after('error', () =>
+      viewer.evaluate((viewer) => viewer.load('http://[')),
+    );
+    assert.equal(message, '“http://[” is not an address.');
+  });
+
   test('a picture of no size is refused, and so is a density of other vertices', async (context) => {
     const viewer = await opened(context, 'one.html');
     await viewer.settled();

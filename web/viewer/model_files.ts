@@ -55,7 +55,7 @@ export async function fetchModelFiles(
   address: string,
   { signal, onProgress }: { signal: AbortSignal; onProgress: (share: number) => void },
 ): Promise<NamedFiles> {
-  const url = new URL(address, document.baseURI);
+  const url = urlOf(address);
   const name = lastSegment(url.pathname);
   const bytes = await fetchBytes(url, signal, onProgress);
   const files: ModelFiles = { [name]: bytes };
@@ -65,6 +65,14 @@ export async function fetchModelFiles(
   const fetchBeside = (uri: string) =>
     fetchBytes(new URL(uri, url), new AbortController().signal, () => {});
   return { name, files, file: url.hash ? decoded(url.hash.slice(1)) : undefined, fetchBeside };
+}
+
+function urlOf(address: string): URL {
+  try {
+    return new URL(address, document.baseURI);
+  } catch {
+    throw new Error(`“${address}” is not an address.`);
+  }
 }
 
 /** The most files of a folder: models have a few, and a larger folder was dropped by mistake. */

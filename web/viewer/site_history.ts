@@ -27,6 +27,13 @@ export function placeOf({ face, bary }: PointList, i: number): SitePlace {
   return { face: face[i], bary: [bary[3 * i], bary[3 * i + 1], bary[3 * i + 2]] };
 }
 
+/** What a caller gives as a place; the library refuses one that is not on the surface. */
+function checked(place: SitePlace): SitePlace {
+  const { face, bary } = place ?? {};
+  if (typeof face === 'number' && bary?.length === 3) return { face, bary };
+  throw new TypeError('a place is { face, bary }, with three coordinates');
+}
+
 /** A density as it is painted: see `DensityPaint.tints`. */
 export type Tints = Float32Array | undefined;
 
@@ -76,8 +83,8 @@ export class SiteHistory {
   }
 
   /** A site with a new identity. */
-  create({ face, bary }: SitePlace): Site {
-    return { id: ++this.#lastId, face, bary };
+  create(place: SitePlace): Site {
+    return { id: ++this.#lastId, ...checked(place) };
   }
 
   createAll(points: PointList): Sites {
@@ -114,7 +121,8 @@ export class SiteHistory {
    * Moves a site; all moves until `endMove` are one step, or with `isSameStep` still the last one.
    * Returns whether the site is there.
    */
-  move(id: number, { face, bary }: SitePlace, isSameStep: boolean): boolean {
+  move(id: number, place: SitePlace, isSameStep: boolean): boolean {
+    const { face, bary } = checked(place);
     if (!this.present.some((site) => site.id === id)) return false;
     if (this.#move?.id !== id) this.#move = { id, isRecorded: isSameStep };
     const moved = this.present.map((site) => (site.id === id ? { id, face, bary } : site));
