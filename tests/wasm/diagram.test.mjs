@@ -180,7 +180,7 @@ test('sites that make no sense are refused with their index', async () => {
     [{ face: [0], bary: [0.5, 0.5, 0.5] }, 'invalid-point'],
     [{ face: [0], bary: [1.5, -0.5, 0] }, 'invalid-point'],
     [{ vertex: [6] }, 'invalid-point', /6/],
-    [{ face: [0], bary: [1, 0] }, 'invalid-argument', /sites\.bary has 2 numbers/],
+    [{ face: [0], bary: [1, 0] }, 'invalid-argument', /sites\.bary has length 2, not 3: /],
     [{ face: [0.5], bary: centre }, 'invalid-argument', /sites\.face\[0\] is 0\.5/],
     [{ face: [], bary: [] }, 'invalid-argument', /site/],
     [{ vertex: [] }, 'invalid-argument', /site/],

@@ -207,7 +207,7 @@ function toBarycentric(
   const bary = toFloat64(`${name}.bary`, points.bary);
   if (bary.length === 3 * face.length) return { face, bary };
   throw invalidArgument(
-    `${name}.bary has ${bary.length} numbers: the ${face.length} points of ${name}.face need three each`,
+    `${name}.bary has length ${bary.length}, not ${3 * face.length}: three numbers for each of ${name}.face`,
   );
 }
 
