@@ -202,16 +202,43 @@ suite('access', () => {
     await viewer.close();
   });
 
-  test('long work can be given up on a phone', async () => {
-    const viewer = await browser.open({ viewport: { width: 360, height: 740 } });
+  test('long work can be given up on a phone, also beside the open sheet', async () => {
+    for (const viewport of [
+      { width: 360, height: 740 },
+      { width: 320, height: 568 },
+    ]) {
+      const viewer = await browser.open({ viewport });
+      await viewer.settled();
+      await viewer.page.evaluate(() => {
+        document.getElementById('progress-label').textContent = 'Computing the diagram';
+        document.getElementById('progress').hidden = false;
+      });
+      const { page } = viewer;
+      for (const isOpen of [false, true]) {
+        if (isOpen) await page.locator('#sheet').press('Enter');
+        for (const id of ['progress', 'cancel']) {
+          const { x, width } = await page.locator(`#${id}`).boundingBox();
+          assert.ok(x >= 0 && x + width <= viewport.width, `${id} from ${x} to ${x + width}`);
+        }
+        await page.locator('#cancel').click({ trial: true, timeout: 5000 });
+      }
+      await viewer.close();
+    }
+  });
+
+  test('density that is painted by a key is announced, and that it is gone', async () => {
+    const viewer = await browser.open();
     await viewer.settled();
-    await viewer.page.evaluate(() => {
-      document.getElementById('progress-label').textContent = 'Computing the diagram';
-      document.getElementById('progress').hidden = false;
-    });
-    for (const id of ['progress', 'cancel']) {
-      const { x, width } = await viewer.page.locator(`#${id}`).boundingBox();
-      assert.ok(x >= 0 && x + width <= 360, `${id} from ${x} to ${x + width}`);
+    await viewer.evaluate((viewer) => viewer.setAttribute('tool', 'density'));
+    await viewer.page.locator('geodesic-voronoi canvas').focus();
+    for (const [key, told] of [
+      ['Enter', 'Density painted'],
+      ['Control+z', 'No density is painted'],
+    ]) {
+      await viewer.page.keyboard.press(key);
+      await viewer.page
+        .locator('#announcement', { hasText: told })
+        .waitFor({ state: 'attached', timeout: 20_000 });
     }
     await viewer.close();
   });
