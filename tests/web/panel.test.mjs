@@ -247,6 +247,7 @@ suite('the panel', () => {
 
   test('link and code are copied', async () => {
     await click('#share-button');
+    await viewer.page.getByRole('region', { name: 'The same by code' }).waitFor();
     await click('#copy-link');
     const clipboard = () => viewer.page.evaluate(() => navigator.clipboard.readText());
     await viewer.page.locator('#copy-link', { hasText: 'Copied' }).waitFor();

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Tells those who do not see the page which site is selected.
+// Tells those who do not see the page which site is selected, and what is painted.
 
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { byId, listen } from './dom.js';
 import { integer, measure } from './numbers.js';
 
-/** Announces the selected site to screen readers when the selection or its region changes. */
+/**
+ * Announces the selected site to screen readers when the selection or its region changes, and the density
+ * when it is painted or cleared.
+ */
 export function setUpAnnouncements(viewer: GeodesicVoronoiElement): void {
   const announcement = byId('announcement', HTMLElement);
   let told = -1;
@@ -22,4 +25,10 @@ export function setUpAnnouncements(viewer: GeodesicVoronoiElement): void {
     tell();
   });
   listen(viewer, 'diagram', tell);
+  let wasUniform = true;
+  listen(viewer, 'density-change', ({ isUniform }) => {
+    if (!(isUniform && wasUniform))
+      announcement.textContent = isUniform ? 'No density is painted' : 'Density painted';
+    wasUniform = isUniform;
+  });
 }
