@@ -400,6 +400,7 @@ suite('the page', () => {
     assert.deepEqual(await viewer.sites(), first);
     for (const _ of [1, 2, 3]) await viewer.after('diagram', () => press('Control+z'));
     assert.deepEqual(await viewer.sites(), before);
+    assert.equal(await viewer.page.inputValue('#count'), String(before.face.length));
   });
 
   test('what fails or is cancelled leaves its settings as they were', async () => {

@@ -75,6 +75,11 @@ function setUpSampling(viewer: GeodesicVoronoiElement): void {
   const perComponent = byId('per-component', HTMLInputElement);
   const fields = { sites: count, seed, sampling, 'per-component': perComponent };
   showAttributes(viewer, fields);
+  let shown = 0;
+  listen(viewer, 'sites-change', ({ count: present }) => {
+    if (present > 0 && present !== shown) count.valueAsNumber = present;
+    shown = present;
+  });
   const expectSites = setUpNoteOfFewer(viewer);
   listen(viewer, 'load', ({ info }) => {
     byId('per-component-label', HTMLElement).hidden = info.components < 2;
