@@ -2,7 +2,7 @@
 //
 // Distances per vertex, and paths, as files.
 
-import { inputVertices } from './attributes.js';
+import { inputVertices } from './vertex_attributes.js';
 import { toResult } from './checks.js';
 import { invalidArgument } from './errors.js';
 import {

@@ -2,7 +2,7 @@
 //
 // Vertices with their normals and texture coordinates, as each file format wants them.
 
-import type { FileVertices } from './attributes.js';
+import type { FileVertices } from './vertex_attributes.js';
 import type { GlbBuilder } from './glb.js';
 import type { PlyColumns } from './ply.js';
 

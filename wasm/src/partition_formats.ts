@@ -2,7 +2,7 @@
 //
 // A partition as a file.
 
-import { joinedVertices, partitionVertices, type TriangleRun } from './attributes.js';
+import { joinedVertices, partitionVertices, type TriangleRun } from './vertex_attributes.js';
 import { toColours, toInteger, toOneOf, toResult } from './checks.js';
 import {
   toFileOptions,

@@ -2,7 +2,7 @@
 //
 // A dual, or regions as polygons, as a file.
 
-import { pointVertices } from './attributes.js';
+import { pointVertices } from './vertex_attributes.js';
 import { toResult } from './checks.js';
 import {
   toFileOptions,

@@ -2,7 +2,7 @@
 //
 // Keys and the commands of the viewer that they give.
 
-import type { Attributes } from './attributes.js';
+import type { Attributes } from './attribute_values.js';
 import type { Viewer } from './viewer.js';
 
 /** A command of the viewer, given by a key. */

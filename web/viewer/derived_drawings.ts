@@ -3,7 +3,7 @@
 // Drawings derived from a diagram (parts, distances, dual), computed only while they are shown.
 
 import type { Diagram, Violation } from 'geodesic-voronoi';
-import type { Attributes } from './attributes.js';
+import type { Attributes } from './attribute_values.js';
 import { Derived } from './derived.js';
 import { type DistanceScale, distanceScale } from './distance_scale.js';
 import { cornersToAsk, type DistanceTriangles } from './distance_triangles.js';

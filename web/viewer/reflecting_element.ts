@@ -2,7 +2,7 @@
 //
 // Attributes of the element that are also properties.
 
-import { Attributes } from './attributes.js';
+import { Attributes } from './attribute_values.js';
 import type { ViewerEventMap } from './events.js';
 import type { Layer } from './model_drawing.js';
 import type { Status } from './session_listener.js';

@@ -3,7 +3,7 @@
 // The tools of the pointer on the surface.
 
 import type { Vector2 } from 'three';
-import type { Attributes } from './attributes.js';
+import type { Attributes } from './attribute_values.js';
 import { brushRing } from './brush_ring.js';
 import type { Hover } from './hover.js';
 import type { OpenModel } from './open_model.js';

@@ -5,7 +5,7 @@
 import type { SurfacePath } from 'geodesic-voronoi';
 import { Vector3 } from 'three';
 import { buildAttributes, samplingAttributes } from './attribute_defaults.js';
-import type { Attributes } from './attributes.js';
+import type { Attributes } from './attribute_values.js';
 import { formatCameraOrbit } from './camera_orbit.js';
 import { commandOf, isOfView, perform } from './commands.js';
 import { DerivedDrawings } from './derived_drawings.js';
