@@ -227,6 +227,26 @@ suite('the panel', () => {
     );
   });
 
+  test('progress tells of drawing once all is computed', async () => {
+    const told = await viewer.evaluate((viewer) => {
+      const bar = document.getElementById('progress-bar');
+      const label = document.getElementById('progress-label');
+      const before = viewer.status;
+      viewer.setAttribute('status', 'loading');
+      const shown = [0.7, 1, 0.2].map((totalProgress) => {
+        viewer.dispatchEvent(new CustomEvent('progress', { detail: { totalProgress } }));
+        return [label.textContent, bar.hasAttribute('value') ? bar.value : undefined];
+      });
+      viewer.setAttribute('status', before);
+      return shown.map(String);
+    });
+    assert.deepEqual(told, [
+      'Opening the model,0.7',
+      'Getting ready to draw,',
+      'Opening the model,0.2',
+    ]);
+  });
+
   test('a model whose first diagram is cancelled has none, which is told, and gets one', async () => {
     await viewer.evaluate((viewer) => {
       // Before its diagram, which begins with the event.

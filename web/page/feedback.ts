@@ -145,7 +145,12 @@ function setUpProgress(viewer: GeodesicVoronoiElement): void {
     }, patienceMilliseconds);
   });
   listen(viewer, 'progress', ({ totalProgress }) => {
-    if (!cancel.hidden) bar.value = totalProgress;
+    if (cancel.hidden) return;
+    // What has been computed is still to be made ready for drawing, of which no share is known.
+    const isComputed = totalProgress === 1;
+    label.textContent = isComputed ? 'Getting ready to draw' : (works[viewer.status] ?? '');
+    if (isComputed) bar.removeAttribute('value');
+    else bar.value = totalProgress;
   });
 }
 
