@@ -88,9 +88,8 @@ bool EdgeBounds::step(long& budget) {
   return true;
 }
 
-void EdgeBounds::offer(int v, int label, double distance, int from) {
+void EdgeBounds::improve(int v, int label, double distance, int from) {
   Vertex& own = vertices_[v];
-  if (!(distance < own.bound)) return;
   own.bound = distance;
   own.label = label;
   own.from = from;

@@ -50,7 +50,11 @@ class EdgeBounds {
   };
 
   void offerFrom(const FaceSite& site, int face);
-  void offer(int vertex, int label, double distance, int from);
+  /// Inlined, because most offers are no improvement.
+  void offer(int vertex, int label, double distance, int from) {
+    if (distance < vertices_[vertex].bound) improve(vertex, label, distance, from);
+  }
+  void improve(int vertex, int label, double distance, int from);
 
   const TriangleMesh& mesh_;
   const SiteSet& sites_;

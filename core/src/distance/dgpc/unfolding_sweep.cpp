@@ -76,9 +76,8 @@ bool UnfoldingSweep::step(long& budget) {
   return true;
 }
 
-void UnfoldingSweep::offer(int v, double distance, const Vector2d& direction,
-                           const Origin& origin) {
-  if (!(distance < limit(v))) return;
+void UnfoldingSweep::improve(int v, double distance, const Vector2d& direction,
+                             const Origin& origin) {
   Vertex& own = vertices_[v];
   if (isReached(v)) {
     ++own.improvements;
@@ -98,6 +97,24 @@ void UnfoldingSweep::offer(int v, double distance, const Vector2d& direction,
   queue_.add(v, queue_.bucketOf(distance));
 }
 
+/// Offers the apex of a side its distance from the virtual source behind the side, if the source
+/// sees the apex through the side. The site has reached all three corners. Inlined, because most
+/// sides are done with after the first test.
+[[gnu::always_inline]] inline void UnfoldingSweep::unfoldAcross(const TriangleMesh::Face& face,
+                                                                int side) {
+  const int tail = face.vertices[side], tip = face.vertices[cornerAfter(side)];
+  const int apex = face.vertices[cornerBefore(side)];
+  const Vertex &atTail = vertices_[tail], &atTip = vertices_[tip];
+  const double most = vertices_[apex].limit;
+  if (!mayBeNearer(face, side, atTail.distance, atTip.distance, most)) return;
+  if (atTail.followsFrom(apex) || atTip.followsFrom(apex)) return;
+  const auto unfolding = unfold(face, side, atTail.distance, atTip.distance);
+  if (!unfolding) return;
+  const double squared = unfolding->toApex.squaredNorm();
+  if (squared < most * most)
+    offer(apex, std::sqrt(squared), directionToApex(*unfolding, atTail, atTip), {tail, tip});
+}
+
 /// Passes on the distance of a vertex: along its edges, and across the sides that end at it in the
 /// faces around it. Skips a face while both other corners are queued: their distances may still
 /// fall, and they will unfold across the face themselves.
@@ -111,26 +128,8 @@ void UnfoldingSweep::passOn(int v) {
     const int tip = face.vertices[cornerAfter(i)], tail = face.vertices[k];
     offer(tail, own.distance + face.lengths[k], own.direction, {v, v});
     if (vertices_[tip].isQueued && vertices_[tail].isQueued) continue;
-    unfoldAcross(face, i);
-    unfoldAcross(face, k);
+    for (const int side : {i, k}) unfoldAcross(face, side);
   }
-}
-
-/// Offers the apex of a side its distance from the virtual source behind the side, if the source
-/// sees the apex through the side.
-void UnfoldingSweep::unfoldAcross(const TriangleMesh::Face& face, int side) {
-  const int tail = face.vertices[side], tip = face.vertices[cornerAfter(side)];
-  const int apex = face.vertices[cornerBefore(side)];
-  if (!isReached(tail) || !isReached(tip)) return;
-  const Vertex &atTail = vertices_[tail], &atTip = vertices_[tip];
-  const double most = limit(apex);
-  if (!mayBeNearer(face, side, atTail.distance, atTip.distance, most)) return;
-  if (atTail.followsFrom(apex) || atTip.followsFrom(apex)) return;
-  const auto unfolding = unfold(face, side, atTail.distance, atTip.distance);
-  if (!unfolding) return;
-  const double squared = unfolding->toApex.squaredNorm();
-  if (squared < most * most)
-    offer(apex, std::sqrt(squared), directionToApex(*unfolding, atTail, atTip), {tail, tip});
 }
 
 /// The direction of the path to an apex: interpolated between the directions of the side's ends,

@@ -128,7 +128,11 @@ class UnfoldingSweep {
   void startInFace(const SurfacePoint& site, const Eigen::Vector2d& firstSide);
   bool isReached(int vertex) const { return vertices_[vertex].epoch == epoch_; }
   double limit(int vertex) const { return isReached(vertex) ? vertices_[vertex].limit : kInfinity; }
-  void offer(int vertex, double distance, const Eigen::Vector2d& direction, const Origin& origin);
+  /// Inlined, because most offers are no improvement.
+  void offer(int vertex, double distance, const Eigen::Vector2d& direction, const Origin& origin) {
+    if (distance < limit(vertex)) improve(vertex, distance, direction, origin);
+  }
+  void improve(int vertex, double distance, const Eigen::Vector2d& direction, const Origin& origin);
   void passOn(int vertex);
   void unfoldAcross(const TriangleMesh::Face& face, int side);
   static Eigen::Vector2d directionToApex(const Unfolding& unfolding, const Vertex& tail,
