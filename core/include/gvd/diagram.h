@@ -125,7 +125,8 @@ struct DiagramOptions {
 Diagram traceDiagram(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
                      const DiagramOptions& options = {});
 
-/// The same in steps. The mesh and the distances must outlive the work.
+/// The same in steps; throws as `traceDiagram` does, at once or in a step. The mesh and the
+/// distances must outlive the work.
 std::unique_ptr<SlicedWork<Diagram>> startDiagram(const TriangleMesh& mesh,
                                                   const DistanceField& distances, int siteCount,
                                                   const DiagramOptions& options = {});

@@ -116,14 +116,11 @@ int validDetail(const DiagramOptions& options) {
   return options.detail;
 }
 
-void requireLabels(const TriangleMesh& mesh, const DistanceField& distances, int siteCount) {
-  for (int v = 0; v < mesh.vertexCount(); ++v) {
-    const auto known = distances.at(v);
-    if (known.empty() || known.back().label < siteCount) continue;
-    throw Error(ErrorCode::kInvalidArgument,
-                "there are distances of site " + std::to_string(known.back().label) +
-                    ", but only " + std::to_string(siteCount) + " sites");
-  }
+void requireLabels(std::span<const LabelledDistance> known, int siteCount) {
+  if (known.empty() || known.back().label < siteCount) return;
+  throw Error(ErrorCode::kInvalidArgument, "there are distances of site " +
+                                               std::to_string(known.back().label) + ", but only " +
+                                               std::to_string(siteCount) + " sites");
 }
 
 /// The tracing of all of a diagram.
@@ -131,14 +128,27 @@ class FullTracing final : public SlicedWork<TracedDiagram> {
  public:
   FullTracing(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
               const DiagramOptions& options)
-      : complex_(mesh, distances, validDetail(options), FaceComplex::Extent::kMesh),
+      : distances_(distances),
+        siteCount_(siteCount),
+        complex_(mesh, distances, validDetail(options), FaceComplex::Extent::kMesh),
         tracing_(mesh, distances, complex_, siteCount, {}, nodePoints_) {}
 
-  bool advance(long budget) override { return tracing_.step(budget); }
+  bool advance(long budget) override {
+    return sequence_.run(
+        [&] {
+          return loop_.run(complex_.mesh().vertexCount(), budget, kQuickRounds,
+                           [&](int v) { requireLabels(distances_.at(v), siteCount_); });
+        },
+        [&] { return tracing_.step(budget); });
+  }
   double progress() const override { return tracing_.progress(); }
   TracedDiagram result() override { return tracing_.take(); }
 
  private:
+  const DistanceField& distances_;
+  const int siteCount_;
+  SlicedSequence sequence_;
+  SlicedLoop loop_;
   FaceComplex complex_;
   NodePoints nodePoints_;
   Tracing tracing_;
@@ -165,7 +175,6 @@ std::unique_ptr<SlicedWork<TracedDiagram>> startTracing(const TriangleMesh& mesh
                                                         int siteCount,
                                                         const DiagramOptions& options) {
   requireMesh(mesh, distances);
-  requireLabels(mesh, distances, siteCount);
   return std::make_unique<FullTracing>(mesh, distances, siteCount, options);
 }
 

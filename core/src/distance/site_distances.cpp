@@ -103,9 +103,24 @@ void SiteDistances::forget(std::span<const int> labels) {
 }
 
 bool SiteDistances::step(long& budget) {
-  return sequence_.run([&] { return edgeBounds_.step(budget); }, [&] { applyEdgeBounds(); },
-                       [&] { return spread(budget); }, [&] { known_.start(change_); },
-                       [&] { return known_.step(budget); });
+  return sequence_.run(
+      [&] { return edgeBounds_.step(budget); },
+      [&] {
+        if (spread_->dependsOnEdgeBounds()) restartOutdated();
+        orderLabels();
+      },
+      [&] {
+        return loop_.run(change_.resetVertices.size(), budget, kQuickRounds, [&](int i) {
+          const int v = change_.resetVertices[i];
+          bounds_[v].distance = edgeBounds_[v];
+        });
+      },
+      [&] {
+        return loop_.run(edgeBounds_.changed().size(), budget, kQuickRounds,
+                         [&](int i) { resetBound(edgeBounds_.changed()[i]); });
+      },
+      [&] { startTurns(); }, [&] { return spread(budget); }, [&] { known_.start(change_); },
+      [&] { return known_.step(budget); });
 }
 
 double SiteDistances::progress() const {
@@ -114,10 +129,9 @@ double SiteDistances::progress() const {
                     : kShareOfSpread * turns_.progress();
 }
 
-void SiteDistances::applyEdgeBounds() {
-  if (spread_->dependsOnEdgeBounds()) restartOutdated();
-  orderLabels();
-  resetBounds();
+void SiteDistances::startTurns() {
+  bounded_ = change_.resetVertices;
+  edgeBounds_.clearChanged();
   turns_.clear();
   for (const int label : change_.started) turns_.addStart(label);
   for (const int label : change_.resumed) {
@@ -158,18 +172,12 @@ void SiteDistances::orderLabels() {
                 [&](int label) { return !sites_.contains(label) || change_.hasStarted[label]; });
 }
 
-/// Bounds the distances at reset vertices by paths along edges. Where such a path is now shorter
-/// than the owner's distance, the owner is dropped: which labels reach the new bound must not
-/// depend on earlier changes.
-void SiteDistances::resetBounds() {
-  for (const int v : change_.resetVertices) bounds_[v].distance = edgeBounds_[v];
-  for (const int v : edgeBounds_.changed()) {
-    if (bounds_.ties().isAtMost(bounds_[v].distance, edgeBounds_[v])) continue;
-    bounds_[v] = {-1, edgeBounds_[v]};
-    change_.resetVertices.push_back(v);
-  }
-  bounded_ = change_.resetVertices;
-  edgeBounds_.clearChanged();
+/// Where a path along edges is now shorter than the owner's distance, the owner is dropped: which
+/// labels reach the new bound must not depend on earlier changes.
+void SiteDistances::resetBound(int v) {
+  if (bounds_.ties().isAtMost(bounds_[v].distance, edgeBounds_[v])) return;
+  bounds_[v] = {-1, edgeBounds_[v]};
+  change_.resetVertices.push_back(v);
 }
 
 /// Lowers the bounds to the distances of a label.

@@ -79,11 +79,11 @@ class SiteDistances final : public DistanceField {
  private:
   class DistancesAtPoints;
   void forget(std::span<const int> labels);
-  void applyEdgeBounds();
+  void startTurns();
   bool spread(long& budget);
   void restartOutdated();
   void orderLabels();
-  void resetBounds();
+  void resetBound(int vertex);
   void lowerBy(int label);
   bool requireMissed();
   Requirement nearestAround(int vertex) const;
@@ -100,6 +100,7 @@ class SiteDistances final : public DistanceField {
 
   // The current change.
   SlicedSequence sequence_;
+  SlicedLoop loop_;
   LabelChange change_;
   LabelTurns turns_;
   bool hasSpread_ = true;            ///< whether all labels have; only missed vertices are left
