@@ -952,6 +952,8 @@ test('bad input: status 1, one line, no file', () => {
     'info .',
     /shape\.glb and two\.glb are several models: choose one by its path, as \.#PATH\n$/,
   );
+  const { json } = gltf(octahedron(), { uri: '-' });
+  fails(1, 'info -', /- cannot be read: it refers to itself/, JSON.stringify(json));
   mkdirSync(join(folder, 'empty'));
   fails(1, 'info empty', /there is no model: there are no files/);
   fails(1, 'info /dev/zero', /is a device/);

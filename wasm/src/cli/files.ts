@@ -49,7 +49,7 @@ const modelPaths = new Set<string>();
 async function modelFiles(path: string): Promise<ModelFiles> {
   if (path !== standard && (await kindOf(path)) === 'folder') return folderFiles(path);
   const bytes = await readBytes(path);
-  const files: ModelFiles = { [basename(path)]: bytes };
+  const files: ModelFiles = { [basename(path)]: handedOver(bytes) };
   if (path === standard) return files;
   modelPaths.add(await targetOf(path));
   for (const uri of gltfResourceUris(bytes)) {
@@ -107,13 +107,31 @@ function fileAt(path: string): ModelFile {
     async arrayBuffer() {
       try {
         modelPaths.add(await realpath(path));
-        const { buffer, byteOffset, byteLength } = await readFile(path);
-        return buffer.slice(byteOffset, byteOffset + byteLength) as ArrayBuffer;
+        return bufferOf(await readFile(path));
       } catch (error) {
         throw new FileError(reason(error));
       }
     },
   };
+}
+
+/** Bytes that are given away once, so that nobody keeps them while a mesh is built. */
+function handedOver(bytes: Uint8Array): ModelFile {
+  let kept: Uint8Array | undefined = bytes;
+  return {
+    async arrayBuffer() {
+      if (!kept) throw new FileError('it refers to itself');
+      const given = bufferOf(kept);
+      kept = undefined;
+      return given;
+    },
+  };
+}
+
+/** Nothing is copied unless the bytes are a part of their buffer, as small ones are. */
+function bufferOf({ buffer, byteOffset, byteLength }: Uint8Array): ArrayBuffer {
+  const isAll = byteLength === buffer.byteLength;
+  return (isAll ? buffer : buffer.slice(byteOffset, byteOffset + byteLength)) as ArrayBuffer;
 }
 
 /** The most bytes read from a pipe, which may never end. */
