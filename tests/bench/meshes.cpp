@@ -48,7 +48,7 @@ Shape genus3(int n, int times) {
 Shape toShape(const TriangleMesh& mesh) {
   Shape shape;
   for (int v = 0; v < mesh.vertexCount(); ++v) shape.addVertex(mesh.position(v));
-  shape.triangles.assign(mesh.tails().begin(), mesh.tails().end());
+  for (int h = 0; h < mesh.halfedgeCount(); ++h) shape.triangles.push_back(mesh.tail(h));
   return shape;
 }
 
@@ -152,7 +152,8 @@ void writeGlb(const TriangleMesh& mesh, const std::filesystem::path& glb) {
   std::vector<float> positions;
   for (int v = 0; v < mesh.vertexCount(); ++v)
     for (const double x : mesh.position(v)) positions.push_back(static_cast<float>(x));
-  const std::vector<unsigned> indices(mesh.tails().begin(), mesh.tails().end());
+  std::vector<unsigned> indices;
+  for (int h = 0; h < mesh.halfedgeCount(); ++h) indices.push_back(mesh.tail(h));
   GlbWriter writer;
   const int positionAccessor = writer.addPositions(positions);
   const int indexAccessor = writer.addIndices(kUnsignedInt, indices);

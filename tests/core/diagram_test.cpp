@@ -148,7 +148,7 @@ TEST_P(RandomMeshes, MayBeTurnedMovedAndScaled) {
       const Eigen::Vector3d p = scale * (turn * mesh.position(v) + Eigen::Vector3d(0.3, -0.2, 0.5));
       positions.insert(positions.end(), {p[0], p[1], p[2]});
     }
-    triangles.assign(mesh.tails().begin(), mesh.tails().end());
+    for (int h = 0; h < mesh.halfedgeCount(); ++h) triangles.push_back(mesh.tail(h));
     const TriangleMesh moved(positions, triangles);
     ASSERT_EQ(moved.faceCount(), mesh.faceCount());
     const Diagram d = trace(moved, sites).diagram;

@@ -58,14 +58,17 @@ bool samePoints(const std::vector<SurfacePoint>& a, const std::vector<SurfacePoi
 }
 
 void expectSame(const TriangleMesh& a, const TriangleMesh& b, const shapes::Shape& shape) {
-  ASSERT_TRUE(std::ranges::equal(a.tails(), b.tails()));
-  EXPECT_TRUE(std::ranges::equal(a.twins(), b.twins()));
+  ASSERT_EQ(a.faceCount(), b.faceCount());
   EXPECT_TRUE(std::ranges::equal(a.boundaryLoops(), b.boundaryLoops()));
   EXPECT_TRUE(a.repairs() == b.repairs());
   EXPECT_EQ(a.area(), b.area());
   EXPECT_EQ(a.meanEdgeLength(), b.meanEdgeLength());
   EXPECT_EQ(a.topology().genus, b.topology().genus);
-  for (int h = 0; h < a.halfedgeCount(); ++h) EXPECT_EQ(a.length(h), b.length(h));
+  for (int h = 0; h < a.halfedgeCount(); ++h) {
+    EXPECT_EQ(a.tail(h), b.tail(h));
+    EXPECT_EQ(a.twin(h), b.twin(h));
+    EXPECT_EQ(a.length(h), b.length(h));
+  }
   for (int v = 0; v < a.vertexCount(); ++v) {
     EXPECT_EQ(a.position(v), b.position(v));
     EXPECT_EQ(a.position(v), shape.position(a.inputVertex(v)));

@@ -124,20 +124,20 @@ class TriangleMesh {
                const MeshOptions& options = {});
 
   int vertexCount() const { return static_cast<int>(inputVertex_.size()); }
-  int faceCount() const { return static_cast<int>(tail_.size() / 3); }
-  int halfedgeCount() const { return static_cast<int>(tail_.size()); }
+  int faceCount() const { return static_cast<int>(faces_.size()); }
+  int halfedgeCount() const { return 3 * faceCount(); }
 
   static int faceOf(int h) { return h / 3; }
   static int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
   static int previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
-  int tail(int h) const { return tail_[h]; }
-  int tip(int h) const { return tail_[next(h)]; }
-  int twin(int h) const { return twin_[h]; }
+  int tail(int h) const { return faces_[faceOf(h)].vertices[h % 3]; }
+  int tip(int h) const { return faces_[faceOf(h)].vertices[cornerAfter(h % 3)]; }
+  int twin(int h) const { return faces_[faceOf(h)].twins[h % 3]; }
   /// Positive, and the same bits for both halfedges of an edge.
   double length(int h) const { return faces_[faceOf(h)].lengths[h % 3]; }
 
-  /// The data of a face for unfolding, in two cache lines: what walks along edges need is in the
-  /// first. Side i is halfedge 3f+i, from corner i to the next.
+  /// The data of a face, in two cache lines: what walks along edges need is in the first. Side i is
+  /// halfedge 3f+i, from corner i to the next.
   struct alignas(64) Face {
     std::array<double, 3> lengths;  ///< of side i
     std::array<int, 3> vertices;    ///< at corner i: `tail(3f+i)`
@@ -145,16 +145,14 @@ class TriangleMesh {
     std::array<double, 3> cosines;  ///< of the interior angle at corner i
     std::array<double, 3> sines;    ///< positive, to full relative precision
     std::array<double, 3> angles;   ///< in (0, π)
+    double area;                    ///< positive
   };
   const Face& face(int f) const { return faces_[f]; }
 
-  /// `tail` and `twin` of all halfedges.
-  std::span<const int> tails() const { return tail_; }
-  std::span<const int> twins() const { return twin_; }
   /// For each boundary loop, the halfedge that leaves its lowest vertex; `outgoing(tip(h))` is the
   /// next halfedge of the loop.
   std::span<const int> boundaryLoops() const { return boundaryLoops_; }
-  bool onBoundary(int v) const { return twin_[outgoing(v)] < 0; }
+  bool onBoundary(int v) const { return twin(outgoing(v)) < 0; }
 
   /// The halfedges that leave v, counterclockwise: one per face around it. On a boundary vertex the
   /// first is the one without twin.
@@ -164,7 +162,7 @@ class TriangleMesh {
   /// The first halfedge of the fan.
   int outgoing(int v) const { return fanHalfedges_[fanBegin_[v]]; }
   /// The next outgoing halfedge counterclockwise, -1 past the last face of a boundary vertex.
-  int rotate(int h) const { return twin_[previous(h)]; }
+  int rotate(int h) const { return twin(previous(h)); }
 
   /// Calls `visit` with every vertex that shares an edge with v, and the length of the edge.
   template <class Visit>
@@ -203,7 +201,7 @@ class TriangleMesh {
   /// The sum of the corner angles at v: > 2π at an inner saddle vertex.
   double angleSum(int v) const { return angleSum_[v]; }
   /// Positive, of the intrinsic triangle.
-  double faceArea(int f) const { return faceArea_[f]; }
+  double faceArea(int f) const { return faces_[f].area; }
   /// The sum of all `faceArea`.
   double area() const { return area_; }
   /// The length of the longest edge at v.
@@ -227,7 +225,7 @@ class TriangleMesh {
   bool isFlipped(int f) const { return flipped_[f]; }
   /// The first input vertex at the place of v.
   int inputVertex(int v) const { return inputVertex_[v]; }
-  int inputFaceCount() const { return static_cast<int>(halfedgeOfInput_.size() / 3); }
+  int inputFaceCount() const { return inputFaceCount_; }
   int inputVertexCount() const { return static_cast<int>(vertexOfInput_.size()); }
 
   /// A sentence that says why a point is not on this mesh; empty if it is. Barycentric coordinates
@@ -256,26 +254,30 @@ class TriangleMesh {
   const MeshTopology& topology() const { return topology_; }
 
  private:
+  friend class InputMap;
   friend class MeshBuilding;
   TriangleMesh() = default;
+  std::array<int, 3> halfedgesOfInput(int triangle) const;
 
   std::vector<double> positions_;
-  std::vector<int> tail_, twin_;
   std::vector<Face> faces_;
-  std::vector<double> faceArea_;
   std::vector<int> fanBegin_, fanHalfedges_;  ///< fan after fan, and where each begins
   std::vector<double> angleSum_, longestEdge_;
   std::vector<int> needles_;
   double area_ = 0, meanEdgeLength_ = 0, shortEdgeLength_ = 0, boundingDiagonal_ = 0;
   std::vector<int> component_;
   std::vector<int> boundaryLoops_;
-  std::vector<int> inputFace_, inputVertex_;
+  std::vector<int> inputFace_, inputVertex_;  ///< `inputFace_` is ascending
   std::vector<char> flipped_;
-  /// For every corner of every input triangle, a halfedge that leaves it. All three are on one
-  /// face: the triangle's own or, if it was dropped, some face that has all of its corners; -1 if
-  /// there is none.
-  std::vector<int> halfedgeOfInput_;
-  std::vector<int> vertexOfInput_;  ///< a halfedge leaving the vertex's place, or -1
+  int inputFaceCount_ = 0;
+  /// An input triangle that was dropped, and a halfedge that leaves each of its corners, all on one
+  /// face.
+  struct DroppedTriangle {
+    int input;
+    std::array<int, 3> halfedges;
+  };
+  std::vector<DroppedTriangle> dropped_;  ///< ascending; those without such a face are left out
+  std::vector<int> vertexOfInput_;        ///< a halfedge leaving the vertex's place, or -1
   MeshRepairs repairs_;
   MeshTopology topology_;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <vector>
 
@@ -37,6 +38,18 @@ class Grouping {
                          });
   }
 
+  /// Calls visit(items) for every group, in slices; `visit` may sort the items. Call it with the
+  /// same arguments until it returns true.
+  template <class Visit>
+  bool visitGroups(Visit visit, long& budget) {
+    constexpr long kItemsPerUnit = 8;
+    return loop_.runWeighted(end_.size() - 1, budget, kItemsPerUnit, [&](int group) {
+      const std::span<int> all = items(group);
+      visit(all);
+      return static_cast<long>(all.size()) + 1;
+    });
+  }
+
   /// Group after group.
   std::span<const int> items() const { return items_; }
   /// Ascending, unless the caller has reordered them.
@@ -61,6 +74,19 @@ void forEachRun(std::span<Item> items, Same same, Visit visit) {
     visit(std::span(first, last));
     first = last;
   }
+}
+
+/// An item after two keys.
+using KeyedItem = std::array<int, 3>;
+
+/// Sorts items by their keys, and calls visit(run) for every run of items with the same keys,
+/// ascending.
+template <class Visit>
+void visitSame(std::vector<KeyedItem>& items, Visit visit) {
+  std::sort(items.begin(), items.end());
+  forEachRun(
+      std::span<const KeyedItem>(items),
+      [](const KeyedItem& a, const KeyedItem& b) { return a[0] == b[0] && a[1] == b[1]; }, visit);
 }
 
 }  // namespace gvd

@@ -18,8 +18,6 @@ BisectorTracing::BisectorTracing(const FaceComplex& complex, int siteCount, Node
                                  BisectorGraph& graph)
     : mesh_(complex.mesh()),
       complex_(complex),
-      tails_(complex.tails()),
-      twins_(complex.twins()),
       siteCount_(siteCount),
       graph_(graph),
       functions_(complex),
@@ -110,7 +108,7 @@ void BisectorTracing::assign(int element, int owner) {
 
 /// Whether some other label ties with the owner at all three nodes.
 bool BisectorTracing::isIndifferent(int element, int owner) const {
-  const int* const node = &tails_[3 * element];
+  const int* const node = complex_.nodesOf(element);
   const NodeLabels& nodes = complex_.nodes();
   std::array<double, 3> least;
   for (int i = 0; i < 3; ++i) {
@@ -154,7 +152,7 @@ double BisectorTracing::addCell(int element, const FaceEnvelope::Cell& cell) {
       addSegment(element, from, to, envelope_.label(cell.function), envelope_.label(across));
     } else if (FaceEnvelope::isTriangleSide(across)) {
       const int side = FaceEnvelope::triangleSide(across);
-      if (twins_[3 * element + side] < 0) addUnmatchedSide(element, side, vertex);
+      if (complex_.twin(3 * element + side) < 0) addUnmatchedSide(element, side, vertex);
     }
   }
   return area;

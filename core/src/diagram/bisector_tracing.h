@@ -45,7 +45,6 @@ class BisectorTracing {
 
   const TriangleMesh& mesh_;
   const FaceComplex& complex_;
-  const std::span<const int> tails_, twins_;  ///< of elements
   const int siteCount_;
   BisectorGraph& graph_;
 

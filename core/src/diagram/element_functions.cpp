@@ -19,7 +19,7 @@ ElementFunctions::ElementFunctions(const FaceComplex& complex)
     : complex_(complex), unit_(std::ldexp(1.0, -std::ilogb(complex.mesh().boundingDiagonal()))) {}
 
 std::span<const LabelFunction> ElementFunctions::of(int element) {
-  const int* const node = &complex_.tails()[3 * element];
+  const int* const node = complex_.nodesOf(element);
   const int soleOwner = complex_.soleOwner(element);
   const auto atA = complex_.nodes().labels(node[0]), atB = complex_.nodes().labels(node[1]),
              atC = complex_.nodes().labels(node[2]);

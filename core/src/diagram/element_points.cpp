@@ -42,12 +42,7 @@ double sideError(const FaceEnvelope& envelope, const FaceEnvelope::Vertex& v) {
 
 ElementPoints::ElementPoints(const FaceComplex& complex, NodePoints& nodePoints,
                              BisectorGraph& graph)
-    : mesh_(complex.mesh()),
-      complex_(complex),
-      tails_(complex.tails()),
-      twins_(complex.twins()),
-      nodePoints_(nodePoints),
-      graph_(graph) {}
+    : mesh_(complex.mesh()), complex_(complex), nodePoints_(nodePoints), graph_(graph) {}
 
 bool ElementPoints::prepare(long& budget) {
   return sequence_.run(
@@ -113,7 +108,7 @@ void ElementPoints::tellApartInnerPoints() {
 
 int ElementPoints::make(int element, const FaceEnvelope& envelope, const Vertex& v,
                         const Eigen::Vector3d& bary) {
-  if (v.kind == Vertex::kCorner) return atNode(element, tails_[3 * element + v.place], bary);
+  if (v.kind == Vertex::kCorner) return atNode(element, complex_.nodesOf(element)[v.place], bary);
   if (v.kind == Vertex::kOnSide) return makeOnSide(element, envelope, v, bary);
   graph_.innerPoints.push_back(static_cast<int>(graph_.points.size()));
   return graph_.addPoint(complex_.face(element), bary, insideError(envelope, v),
@@ -151,7 +146,7 @@ void ElementPoints::mergeOnSide(int element, int side, int point, int others,
   for (const int corner : {side, cornerAfter(side)}) {
     const Eigen::Vector3d place = complex_.faceBary(element, Eigen::Vector3d::Unit(corner));
     if (isNear(place, error))
-      graph_.unite(point, atNode(element, tails_[3 * element + corner], place));
+      graph_.unite(point, atNode(element, complex_.nodesOf(element)[corner], place));
   }
   for (int p = others; p >= 0; p = graph_.points[p].nextOnSide)
     if (isNear(baryInFace(mesh_, graph_.places[p], complex_.face(element)),
@@ -161,7 +156,7 @@ void ElementPoints::mergeOnSide(int element, int side, int point, int others,
 
 /// The index of an element's side in `firstOnSide_`.
 int ElementPoints::sideOf(int element, int side) const {
-  const int h = 3 * element + side, twin = twins_[h];
+  const int h = 3 * element + side, twin = complex_.twin(h);
   return twin < 0 ? h : std::min(h, twin);
 }
 

@@ -48,7 +48,6 @@ class ElementPoints {
 
   const TriangleMesh& mesh_;
   const FaceComplex& complex_;
-  const std::span<const int> tails_, twins_;  ///< of elements
   NodePoints& nodePoints_;
   BisectorGraph& graph_;
 

@@ -24,7 +24,6 @@ class ElementTwins {
   /// Forgets all twins, before the elements are cleared; in time proportional to their number.
   void clear();
 
-  std::span<const int> list() const { return twin_; }
   int operator[](int h) const { return twin_[h]; }
 
  private:

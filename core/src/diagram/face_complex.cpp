@@ -51,7 +51,7 @@ bool FaceComplex::addMesh(long& budget) {
                      },
                      [&] {
                        return forFaces([&](int f) {
-                         if (nodes_.commonOwner(&mesh_.tails()[3 * f]) == Diagram::kMixed)
+                         if (nodes_.commonOwner(mesh_.face(f).vertices.data()) == Diagram::kMixed)
                            partsExpected_ += expectedParts(f);
                        });
                      },
@@ -115,7 +115,7 @@ void FaceComplex::clear() {
 void FaceComplex::addFace(int face) { elements_.addFace(face, mesh_.face(face).vertices); }
 
 void FaceComplex::noteUndecided(int element) {
-  const int* const node = &tails()[3 * element];
+  const int* const node = nodesOf(element);
   soleOwner_.push_back(nodes_.commonOwner(node));
   mixedCount_ += soleOwner_.back() == Diagram::kMixed;
   if (soleOwner_.back() < 0 || std::all_of(node, node + 3, [&](int n) { return nodes_.hasTie(n); }))

@@ -38,11 +38,14 @@ class FaceComplex {
   const TriangleMesh& mesh() const { return mesh_; }
   const NodeLabels& nodes() const { return nodes_; }
   NodeLabels& nodes() { return nodes_; }
-  int elementCount() const { return static_cast<int>(tails().size() / 3); }
-  std::span<const int> tails() const { return isOwn_ ? elements_.tail : mesh_.tails(); }
+  int elementCount() const { return isOwn_ ? elements_.count() : mesh_.faceCount(); }
+  /// The three nodes at an element's corners.
+  const int* nodesOf(int element) const {
+    return isOwn_ ? elements_.nodes(element) : mesh_.face(element).vertices.data();
+  }
   /// -1 on the mesh boundary, at faces outside of the complex, and where an element meets several
   /// smaller ones: one label owns all of such a side.
-  std::span<const int> twins() const { return isOwn_ ? twins_.list() : mesh_.twins(); }
+  int twin(int h) const { return isOwn_ ? twins_[h] : mesh_.twin(h); }
   /// The mesh's boundary halfedge that a halfedge is part of, -1 if none.
   int boundaryHalfedge(int h) const;
   /// The number of faces of the complex, and the index of a face among them, -1 if it is not in.

@@ -67,14 +67,14 @@ void LabelCompletion::complete(int element) {
 
 /// Whether labels have been added at any node of an element.
 bool LabelCompletion::hasAddedLabels(int element) const {
-  const int* const node = &complex_.tails()[3 * element];
+  const int* const node = complex_.nodesOf(element);
   return std::any_of(node, node + 3, [&](int n) { return complex_.nodes().hasAddedLabels(n); });
 }
 
 /// Whether an owner is unknown at some node, or a label known at only two nodes is not farther than
 /// one of the owners at both.
 bool LabelCompletion::mayLackLabels(int element) const {
-  const int* const node = &complex_.tails()[3 * element];
+  const int* const node = complex_.nodesOf(element);
   std::array<Labels, 3> known;
   std::array<int, 3> owners;
   for (int i = 0; i < 3; ++i) {
@@ -95,10 +95,8 @@ bool LabelCompletion::mayLackLabels(int element) const {
 }
 
 bool LabelCompletion::completeAcross(int element, int side) {
-  const std::span<const int> tails = complex_.tails();
-  const int i = 3 * element + side;
-  const int tail = tails[i], tip = tails[TriangleMesh::next(i)];
-  const int apex = tails[TriangleMesh::previous(i)];
+  const int* const node = complex_.nodesOf(element);
+  const int tail = node[side], tip = node[cornerAfter(side)], apex = node[cornerBefore(side)];
   bool changed = false;
   const Labels atTail = complex_.nodes().labels(tail);
   Labels atTip = complex_.nodes().labels(tip), atApex = complex_.nodes().labels(apex);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "distance/label_closure.h"
 
+#include <array>
 #include <utility>
 
 #include "distance/edge_share.h"
@@ -77,7 +78,7 @@ void LabelClosure::noteAdded(int vertex, int label) {
 
 /// Returns the number of labels looked at, or 1.
 long LabelClosure::closeFace(int f) {
-  const int* const corners = &mesh_.tails()[3 * static_cast<size_t>(f)];
+  const std::array<int, 3>& corners = mesh_.face(f).vertices;
   const auto a = lists_[corners[0]], b = lists_[corners[1]], c = lists_[corners[2]];
   if ((a.size() > 1) + (b.size() > 1) + (c.size() > 1) < 2) return 1;
   visitLabels(a, b, c, [&](int label, const auto& at) {

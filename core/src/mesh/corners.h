@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gvd/surface_point.h"
+#include "gvd/triangle_mesh.h"
 
 namespace gvd {
 
@@ -26,8 +27,15 @@ struct WeldedTriangles {
   }
 };
 
+/// The faces of a mesh, also while it is built.
+using Faces = std::vector<TriangleMesh::Face>;
+
 /// Halfedges of a list of triangles are numbered as in `TriangleMesh`: halfedge h is side
 /// h % 3 of triangle h / 3 and runs from corner h % 3 to the next one.
+inline int tailOf(const Faces& faces, int h) { return faces[h / 3].vertices[h % 3]; }
+inline int tipOf(const Faces& faces, int h) { return faces[h / 3].vertices[cornerAfter(h % 3)]; }
+inline int& twinOf(Faces& faces, int h) { return faces[h / 3].twins[h % 3]; }
+inline int twinOf(const Faces& faces, int h) { return faces[h / 3].twins[h % 3]; }
 inline int tailOf(const std::vector<Corners>& triangles, int h) { return triangles[h / 3][h % 3]; }
 inline int tipOf(const std::vector<Corners>& triangles, int h) {
   return triangles[h / 3][cornerAfter(h % 3)];

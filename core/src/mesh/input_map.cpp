@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "mesh/triangle_selection.h"
-
 namespace gvd {
 namespace {
 
@@ -46,7 +44,7 @@ bool InputMap::step(long& budget) {
       },
       [&] {
         faceWith_.clear();
-        return fillInSlices(ofVertex_, vertices, -1, budget);
+        return fillInSlices(out_.ofVertex, vertices, -1, budget);
       },
       [&] { return fillInSlices(ofRepresentative_, vertices, -1, budget); },
       [&] { return forTriangles(8, [&](int t) { mapTriangle(t); }); },
@@ -59,23 +57,26 @@ void InputMap::offer(int a, int b, int face) {
 }
 
 void InputMap::mapTriangle(int t) {
-  int* const corners = &triangles_[3 * static_cast<std::size_t>(t)];
-  for (int* corner = corners; corner < corners + 3; ++corner) {
-    const int vertex = std::exchange(*corner, -1);
-    if (kept_[t] < 0) continue;
-    const Corners& face = faces_[kept_[t]];
+  const int face = kept_[t];
+  if (face < 0) return;
+  const Corners& corners = faces_[face].vertices;
+  Corners halfedges;
+  for (int i = 0; i < 3; ++i) {
+    const int vertex = triangles_[3 * static_cast<std::size_t>(t) + i];
     const int representative = representative_[vertex];
-    const auto at = std::find(face.begin(), face.end(), representative);
-    *corner = 3 * kept_[t] + static_cast<int>(at - face.begin());
-    for (int* slot : {&ofVertex_[vertex], &ofRepresentative_[representative]})
-      if (*slot < 0) *slot = *corner;
+    const auto at = std::find(corners.begin(), corners.end(), representative);
+    halfedges[i] = 3 * face + static_cast<int>(at - corners.begin());
+    for (int* slot : {&out_.ofVertex[vertex], &ofRepresentative_[representative]})
+      if (*slot < 0) *slot = halfedges[i];
   }
+  if (input_[face] != t) out_.dropped.push_back({t, halfedges});
 }
 
 void InputMap::mapVertex(int v) {
   const int representative = representative_[v];
-  if (ofVertex_[v] < 0 && representative >= 0) ofVertex_[v] = ofRepresentative_[representative];
-  if (ofVertex_[v] < 0)
+  int& halfedge = out_.ofVertex[v];
+  if (halfedge < 0 && representative >= 0) halfedge = ofRepresentative_[representative];
+  if (halfedge < 0)
     ++repairs_.isolatedVertices;
   else if (representative != v)
     ++repairs_.weldedVertices;

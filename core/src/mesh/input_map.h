@@ -10,30 +10,34 @@
 #include "base/sliced_loop.h"
 #include "gvd/triangle_mesh.h"
 #include "mesh/corners.h"
+#include "mesh/triangle_selection.h"
 
 namespace gvd {
 
-/// Maps every corner of every input triangle to a halfedge that leaves it, all three on one face:
-/// that of the triangle, or of the triangle it duplicates, or, if it is degenerate, any face with
-/// corners at both of its positions; -1 if there is none. Maps every input vertex to a halfedge
-/// that leaves it: on the first triangle that names the vertex and has a face, else on any face at
-/// its position, else -1. Counts welded and isolated vertices. In slices, O(n log n) in the number
-/// of degenerate triangles.
+/// Maps every corner of a dropped triangle to a halfedge that leaves it, all three on one face:
+/// that of the triangle it duplicates or, if it is degenerate, any face with corners at both of its
+/// positions. Maps every input vertex to a halfedge that leaves it: on the first triangle that
+/// names the vertex and has a face, else on any face at its position, else -1. Counts welded and
+/// isolated vertices. In slices, O(n log n) in the number of degenerate triangles.
 class InputMap {
  public:
-  /// `triangles` and `representative` are the input's; `faces` are the mesh's, as representatives;
-  /// `kept` is the face of each input triangle, or -1. All must outlive this. The vertices in
-  /// `triangles` are replaced by the halfedges.
-  InputMap(std::vector<int>& triangles, const std::vector<int>& representative,
-           const std::vector<Corners>& faces, std::vector<int>& kept, MeshRepairs& repairs)
+  struct Halfedges {
+    std::vector<TriangleMesh::DroppedTriangle> dropped;  ///< the triangles that have some
+    std::vector<int> ofVertex;
+  };
+
+  /// `triangles` and `representative` are the input's, `selection` the mesh's faces, their vertices
+  /// still representatives. All must outlive this.
+  InputMap(const std::vector<int>& triangles, const std::vector<int>& representative,
+           Selection& selection, MeshRepairs& repairs)
       : triangles_(triangles),
         representative_(representative),
-        faces_(faces),
-        kept_(kept),
+        faces_(selection.faces),
+        input_(selection.input),
+        kept_(selection.kept),
         repairs_(repairs) {}
   bool step(long& budget);
-  /// The halfedges of the vertices.
-  std::vector<int> take() { return std::move(ofVertex_); }
+  Halfedges take() { return std::move(out_); }
 
  private:
   WeldedTriangles welded() const { return {triangles_, representative_}; }
@@ -41,16 +45,18 @@ class InputMap {
   void mapTriangle(int t);
   void mapVertex(int v);
 
-  std::vector<int>& triangles_;
+  const std::vector<int>& triangles_;
   const std::vector<int>& representative_;
-  const std::vector<Corners>& faces_;
+  const Faces& faces_;
+  const std::vector<int>& input_;
   std::vector<int>& kept_;
   MeshRepairs& repairs_;
 
   SlicedSequence sequence_;
   SlicedLoop loop_;
   std::map<std::pair<int, int>, int> faceWith_;  ///< by the positions of a degenerate triangle
-  std::vector<int> ofVertex_, ofRepresentative_;
+  std::vector<int> ofRepresentative_;
+  Halfedges out_;
 };
 
 }  // namespace gvd

@@ -12,47 +12,40 @@ namespace gvd {
 // --- Twins -------------------------------------------------------------------------------------
 
 bool HalfedgeMatching::step(long& budget) {
-  const int count = 3 * static_cast<int>(triangles_.size());
-  const auto lowerEnd = [&](int h) {
-    return std::min(tailOf(triangles_, h), tipOf(triangles_, h));
-  };
-  return sequence_.run([&] { return fillInSlices(twin_, count, -1, budget); },
-                       [&] { return byLowerEnd_.run(count, vertexCount_, lowerEnd, budget); },
+  const int count = 3 * static_cast<int>(faces_.size());
+  const auto lowerEnd = [&](int h) { return std::min(tailOf(faces_, h), tipOf(faces_, h)); };
+  return sequence_.run([&] { return byLowerEnd_.run(count, vertexCount_, lowerEnd, budget); },
                        [&] {
-                         return loop_.run(vertexCount_, budget, 2,
-                                          [&](int group) { match(byLowerEnd_.items(group)); });
+                         return byLowerEnd_.visitGroups(
+                             [&](std::span<const int> group) { match(group); }, budget);
                        });
 }
 
 /// Pairs the halfedges with one lower end by their higher ends.
-void HalfedgeMatching::match(std::span<int> halfedges) {
-  const auto higherEnd = [&](int h) {
-    return std::max(tailOf(triangles_, h), tipOf(triangles_, h));
-  };
-  std::sort(halfedges.begin(), halfedges.end(),
-            [&](int g, int h) { return higherEnd(g) < higherEnd(h); });
-  forEachRun(
-      halfedges, [&](int g, int h) { return higherEnd(g) == higherEnd(h); },
-      [&](std::span<const int> run) {
-        if (run.size() == 2) {
-          twin_[run[0]] = run[1];
-          twin_[run[1]] = run[0];
-        } else if (run.size() > 2) {
-          ++repairs_.nonManifoldEdges;
-        }
-      });
+void HalfedgeMatching::match(std::span<const int> halfedges) {
+  byHigherEnd_.clear();
+  for (const int h : halfedges)
+    byHigherEnd_.push_back({std::max(tailOf(faces_, h), tipOf(faces_, h)), 0, h});
+  visitSame(byHigherEnd_, [&](std::span<const KeyedItem> run) {
+    if (run.size() == 2) {
+      twinOf(faces_, run[0][2]) = run[1][2];
+      twinOf(faces_, run[1][2]) = run[0][2];
+    } else if (run.size() > 2) {
+      ++repairs_.nonManifoldEdges;
+    }
+  });
 }
 
 // --- Orientation -------------------------------------------------------------------------------
 
 bool TriangleOrienting::step(long& budget) {
-  const std::size_t count = triangles_.size();
-  const auto cutEdges = [&] {
-    return loop_.run(twin_.size(), budget, kQuickRounds, [&](int h) { cutIfInconsistent(h); });
-  };
+  const std::size_t count = faces_.size();
   return sequence_.run(
       [&] { return fillInSlices(out_.flipped, count, '\0', budget); },
-      [&] { return orientation_ == Orientation::kUnify || cutEdges(); },
+      [&] {
+        return orientation_ == Orientation::kUnify ||
+               loop_.run(3 * count, budget, kQuickRounds, [&](int h) { cutIfInconsistent(h); });
+      },
       [&] { return fillInSlices(out_.component, count, -1, budget); },
       [&] {
         queue_.reserve(count);
@@ -65,15 +58,18 @@ bool TriangleOrienting::step(long& budget) {
       [&] {
         return loop_.run(count, budget, kQuickRounds, [&](int t) {
           if (isComponentTurned_[out_.component[t]]) out_.flipped[t] ^= 1;
+          isAnyFlipped_ |= out_.flipped[t] != 0;
         });
       },
-      cutEdges,
       // Side i of a triangle that is turned over becomes side 2 - i. The sides keep their
       // neighbours.
-      [&] { return loop_.run(count, budget, kQuickRounds, [&](int t) { turnOver(t); }); },
       [&] {
-        return loop_.run(twin_.size(), budget, kQuickRounds, [&](int h) {
-          int& twin = twin_[h];
+        return !isAnyFlipped_ ||
+               loop_.run(count, budget, kQuickRounds, [&](int t) { turnOver(t); });
+      },
+      [&] {
+        return !isAnyFlipped_ || loop_.run(3 * count, budget, kQuickRounds, [&](int h) {
+          int& twin = twinOf(faces_, h);
           if (twin >= 0 && out_.flipped[twin / 3]) twin += 2 - 2 * (twin % 3);
         });
       });
@@ -81,15 +77,15 @@ bool TriangleOrienting::step(long& budget) {
 
 /// Whether both triangles of an edge run along it in the same direction.
 bool TriangleOrienting::disagree(int h) const {
-  return tailOf(triangles_, h) == tailOf(triangles_, twin_[h]);
+  return tailOf(faces_, h) == tailOf(faces_, twinOf(faces_, h));
 }
 
 /// Cuts an edge if its two triangles disagree even when those marked in `flipped` are turned over.
 void TriangleOrienting::cutIfInconsistent(int h) {
-  const int twin = twin_[h];
-  if (twin < h) return;  // no twin, or handled with the twin
+  const int twin = twinOf(faces_, h);
+  if (twin < 0) return;
   if ((out_.flipped[h / 3] != out_.flipped[twin / 3]) == disagree(h)) return;
-  twin_[twin] = twin_[h] = -1;
+  twinOf(faces_, twin) = twinOf(faces_, h) = -1;
   ++repairs_.orientationCuts;
 }
 
@@ -104,8 +100,12 @@ void TriangleOrienting::visit(int index) {
   }
   const int f = queue_[index];
   for (int h = 3 * f; h < 3 * f + 3; ++h) {
-    if (twin_[h] < 0 || out_.component[twin_[h] / 3] >= 0) continue;
-    const int neighbour = twin_[h] / 3;
+    const int twin = twinOf(faces_, h), neighbour = twin / 3;
+    if (twin < 0) continue;
+    if (out_.component[neighbour] >= 0) {
+      cutIfInconsistent(h);
+      continue;
+    }
     out_.component[neighbour] = out_.component[f];
     out_.flipped[neighbour] = static_cast<char>((out_.flipped[f] != 0) != disagree(h));
     flips_ += out_.flipped[neighbour];
@@ -124,8 +124,9 @@ void TriangleOrienting::endComponent() {
 
 void TriangleOrienting::turnOver(int t) {
   if (!out_.flipped[t]) return;
-  std::swap(triangles_[t][1], triangles_[t][2]);
-  std::swap(twin_[3 * t], twin_[3 * t + 2]);
+  TriangleMesh::Face& face = faces_[t];
+  std::swap(face.vertices[1], face.vertices[2]);
+  std::swap(face.twins[0], face.twins[2]);
 }
 
 // --- Small components --------------------------------------------------------------------------
@@ -146,8 +147,9 @@ bool SmallComponents::drop(long& budget) {
                        [&] { return loop_.run(count_, budget, 8, [&](int t) { moveUp(t); }); },
                        [&] { shorten(); },
                        [&] {
-                         return loop_.run(twin_.size(), budget, kQuickRounds, [&](int h) {
-                           if (int& twin = twin_[h]; twin >= 0)
+                         Faces& faces = selection_.faces;
+                         return loop_.run(3 * faces.size(), budget, kQuickRounds, [&](int h) {
+                           if (int& twin = twinOf(faces, h); twin >= 0)
                              twin = 3 * newTriangle_[twin / 3] + twin % 3;
                          });
                        },
@@ -179,8 +181,7 @@ void SmallComponents::moveUp(int t) {
   oriented_.component[kept_] = component;
   oriented_.flipped[kept_] = oriented_.flipped[t];
   selection_.input[kept_] = selection_.input[t];
-  selection_.corners[kept_] = selection_.corners[t];
-  for (int i = 0; i < 3; ++i) twin_[3 * kept_ + i] = twin_[3 * t + i];
+  selection_.faces[kept_] = selection_.faces[t];
   ++kept_;
 }
 
@@ -189,19 +190,18 @@ void SmallComponents::shorten() {
   oriented_.component.resize(kept_);
   oriented_.flipped.resize(kept_);
   selection_.input.resize(kept_);
-  selection_.corners.resize(kept_);
-  twin_.resize(3 * static_cast<std::size_t>(kept_));
+  selection_.faces.resize(kept_);
 }
 
 // --- Fans --------------------------------------------------------------------------------------
 
 bool FanSplitting::step(long& budget) {
-  const std::size_t halfedgeCount = 3 * triangles_.size();
+  const std::size_t halfedgeCount = 3 * faces_.size();
   return sequence_.run(
       [&] { return fillInSlices(firstVertex_, inputVertexCount_, -1, budget); },
       [&] {
-        return loop_.run(triangles_.size(), budget, 8, [&](int t) {
-          for (const int representative : triangles_[t])
+        return loop_.run(faces_.size(), budget, 8, [&](int f) {
+          for (const int representative : faces_[f].vertices)
             used_ += std::exchange(firstVertex_[representative], 0) < 0;
         });
       },
@@ -214,15 +214,14 @@ bool FanSplitting::step(long& budget) {
         });
       },
       [&] { return fillInSlices(out_.outgoing, out_.representative.size(), -1, budget); },
-      [&] { return fillInSlices(out_.tail, halfedgeCount, -1, budget); },
+      [&] { return fillInSlices(isInFan_, halfedgeCount, '\0', budget); },
       [&] { return loop_.run(halfedgeCount, budget, 8, [&](int h) { takeFan(h); }); });
 }
 
 /// Gives the fan around a halfedge's tail a vertex, unless it has one.
 void FanSplitting::takeFan(int h) {
-  if (out_.tail[h] >= 0) return;
-  const auto clockwise = [&](int g) { return twin_[g] < 0 ? -1 : TriangleMesh::next(twin_[g]); };
-  const int representative = tailOf(triangles_, h);
+  if (isInFan_[h]) return;
+  const int representative = tailOf(faces_, h);
   int v = firstVertex_[representative];
   if (out_.outgoing[v] >= 0) {  // another fan has it already
     v = static_cast<int>(out_.outgoing.size());
@@ -230,15 +229,18 @@ void FanSplitting::takeFan(int h) {
     out_.representative.push_back(representative);
     ++repairs_.splitVertices;
   }
+  const auto take = [&](int g) {
+    isInFan_[g] = true;
+    faces_[g / 3].vertices[g % 3] = v;
+    return g;
+  };
+  const auto counterclockwise = [&](int g) { return twinOf(faces_, TriangleMesh::previous(g)); };
+  int g = counterclockwise(take(h));
+  while (g >= 0 && g != h) g = counterclockwise(take(g));
   int first = h;
-  while (clockwise(first) >= 0 && clockwise(first) != h) first = clockwise(first);
-  if (clockwise(first) == h) first = h;  // a full turn: an inner vertex
+  if (g < 0)  // the boundary: the other halfedges are clockwise of h
+    for (int twin; (twin = twinOf(faces_, first)) >= 0;) first = take(TriangleMesh::next(twin));
   out_.outgoing[v] = first;
-  int g = first;
-  do {
-    out_.tail[g] = v;
-    g = twin_[TriangleMesh::previous(g)];
-  } while (g >= 0 && g != first);
 }
 
 }  // namespace gvd

@@ -20,23 +20,21 @@ namespace gvd {
 /// runs; -1 on all other edges. Counts the edges of three or more triangles.
 class HalfedgeMatching {
  public:
-  /// The triangles must outlive this.
-  HalfedgeMatching(const std::vector<Corners>& triangles, int vertexCount, MeshRepairs& repairs)
-      : triangles_(triangles), vertexCount_(vertexCount), repairs_(repairs) {}
+  /// Sets the twins of faces that have none; they must outlive this.
+  HalfedgeMatching(Faces& faces, int vertexCount, MeshRepairs& repairs)
+      : faces_(faces), vertexCount_(vertexCount), repairs_(repairs) {}
   bool step(long& budget);
-  std::vector<int> take() { return std::move(twin_); }
 
  private:
-  void match(std::span<int> halfedges);
+  void match(std::span<const int> halfedges);
 
-  const std::vector<Corners>& triangles_;
+  Faces& faces_;
   const int vertexCount_;
   MeshRepairs& repairs_;
 
   SlicedSequence sequence_;
-  SlicedLoop loop_;
   Grouping byLowerEnd_;
-  std::vector<int> twin_;
+  std::vector<KeyedItem> byHigherEnd_;  ///< halfedges with one lower end; one key is enough
 };
 
 /// The component of each triangle, and which triangles were turned over.
@@ -52,10 +50,9 @@ struct OrientedComponents {
 /// turned over, and all edges whose triangles disagree are cut.
 class TriangleOrienting {
  public:
-  /// Changes both lists, which must outlive this.
-  TriangleOrienting(std::vector<Corners>& triangles, std::vector<int>& twin,
-                    Orientation orientation, MeshRepairs& repairs)
-      : triangles_(triangles), twin_(twin), orientation_(orientation), repairs_(repairs) {}
+  /// Changes the faces, which must outlive this.
+  TriangleOrienting(Faces& faces, Orientation orientation, MeshRepairs& repairs)
+      : faces_(faces), orientation_(orientation), repairs_(repairs) {}
   bool step(long& budget);
   OrientedComponents take() { return std::move(out_); }
 
@@ -66,8 +63,7 @@ class TriangleOrienting {
   void endComponent();
   void turnOver(int t);
 
-  std::vector<Corners>& triangles_;
-  std::vector<int>& twin_;
+  Faces& faces_;
   const Orientation orientation_;
   MeshRepairs& repairs_;
 
@@ -78,6 +74,7 @@ class TriangleOrienting {
   int nextRoot_ = 0;
   int flips_ = 0;                        ///< triangles marked in the current component
   std::vector<char> isComponentTurned_;  ///< per component: most triangles were marked
+  bool isAnyFlipped_ = false;
   OrientedComponents out_;
 };
 
@@ -86,12 +83,11 @@ class TriangleOrienting {
 class SmallComponents {
  public:
   /// Changes all lists and counts passed, which must outlive this.
-  SmallComponents(int least, Selection& selection, std::vector<int>& twin,
-                  OrientedComponents& oriented, MeshRepairs& repairs)
+  SmallComponents(int least, Selection& selection, OrientedComponents& oriented,
+                  MeshRepairs& repairs)
       : least_(least),
         count_(selection.input.size()),
         selection_(selection),
-        twin_(twin),
         oriented_(oriented),
         repairs_(repairs) {}
   bool step(long& budget);
@@ -105,7 +101,6 @@ class SmallComponents {
   const int least_;
   const std::size_t count_;  ///< of triangles
   Selection& selection_;
-  std::vector<int>& twin_;
   OrientedComponents& oriented_;
   MeshRepairs& repairs_;
 
@@ -120,30 +115,25 @@ class SmallComponents {
 /// The vertices of an oriented manifold. Vertices keep the order of their representatives; the
 /// copies for further fans come last.
 struct Fans {
-  std::vector<int> tail;            ///< of each halfedge, the vertex that it leaves
   std::vector<int> representative;  ///< of each vertex
   /// A halfedge that leaves each vertex; at the boundary, the most clockwise one.
   std::vector<int> outgoing;
 };
 
-/// Splits every vertex whose triangles form several fans, one vertex per fan.
+/// Splits every vertex whose triangles form several fans, one vertex per fan. The vertices of faces
+/// were representatives, and are those of the manifold then.
 class FanSplitting {
  public:
-  /// Both lists must outlive this.
-  FanSplitting(const std::vector<Corners>& triangles, const std::vector<int>& twin,
-               int inputVertexCount, MeshRepairs& repairs)
-      : triangles_(triangles),
-        twin_(twin),
-        inputVertexCount_(inputVertexCount),
-        repairs_(repairs) {}
+  /// Changes the faces, which must outlive this.
+  FanSplitting(Faces& faces, int inputVertexCount, MeshRepairs& repairs)
+      : faces_(faces), inputVertexCount_(inputVertexCount), repairs_(repairs) {}
   bool step(long& budget);
   Fans take() { return std::move(out_); }
 
  private:
   void takeFan(int h);
 
-  const std::vector<Corners>& triangles_;
-  const std::vector<int>& twin_;
+  Faces& faces_;
   const int inputVertexCount_;
   MeshRepairs& repairs_;
 
@@ -151,6 +141,7 @@ class FanSplitting {
   SlicedLoop loop_;
   int used_ = 0;                  ///< number of representatives in use
   std::vector<int> firstVertex_;  ///< of each representative, -1 if it is not in use
+  std::vector<char> isInFan_;     ///< of each halfedge, whether its fan has a vertex
   Fans out_;
 };
 

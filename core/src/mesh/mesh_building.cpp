@@ -66,43 +66,39 @@ bool MeshBuilding::advance(long budget) {
                        inputVertexCount(), m.repairs_);
       },
       [&] { selection_ = taken(selecting_); },
+      [&] { return runPart(matching_, budget, selection_.faces, inputVertexCount(), m.repairs_); },
+      [&] { matching_.reset(); },
       [&] {
-        return runPart(matching_, budget, selection_.corners, inputVertexCount(), m.repairs_);
-      },
-      [&] { m.twin_ = taken(matching_); },
-      [&] {
-        return runPart(orienting_, budget, selection_.corners, m.twin_, options_.orientation,
-                       m.repairs_);
+        return runPart(orienting_, budget, selection_.faces, options_.orientation, m.repairs_);
       },
       [&] { oriented_ = taken(orienting_); },
       [&] {
-        return runPart(dropping_, budget, options_.minComponent, selection_, m.twin_, oriented_,
-                       m.repairs_);
+        return runPart(dropping_, budget, options_.minComponent, selection_, oriented_, m.repairs_);
+      },
+      [&] { dropping_.reset(); },
+      [&] {
+        return runPart(mapping_, budget, triangles_, representative_, selection_, m.repairs_);
       },
       [&] {
-        dropping_.reset();
+        InputMap::Halfedges halfedges = taken(mapping_);
+        m.dropped_ = std::move(halfedges.dropped);
+        m.vertexOfInput_ = std::move(halfedges.ofVertex);
+        m.inputFaceCount_ = static_cast<int>(triangles_.size() / 3);
+        release(triangles_);
+        release(representative_);
         m.inputFace_ = std::move(selection_.input);
+        m.faces_ = std::move(selection_.faces);
+        selection_ = {};
         m.flipped_ = std::move(oriented_.flipped);
         m.component_ = std::move(oriented_.component);
       },
-      [&] {
-        return runPart(splitting_, budget, selection_.corners, m.twin_, inputVertexCount(),
-                       m.repairs_);
-      },
+      [&] { return runPart(splitting_, budget, m.faces_, inputVertexCount(), m.repairs_); },
       [&] { fans_ = taken(splitting_); },
-      [&] { return fillInSlices(m.fanHalfedges_, fans_.tail.size(), -1, budget); },
+      [&] { return fillInSlices(m.fanHalfedges_, m.halfedgeCount(), -1, budget); },
       [&] { takeFans(); },
       [&] { return loop_.run(m.vertexCount(), budget, kQuickRounds, [&](int v) { listFan(v); }); },
-      [&] { release(fans_.outgoing); },
       [&] {
-        return runPart(mapping_, budget, triangles_, representative_, selection_.corners,
-                       selection_.kept, m.repairs_);
-      },
-      [&] {
-        m.vertexOfInput_ = taken(mapping_);
-        m.halfedgeOfInput_ = std::move(triangles_);
-        release(representative_);
-        selection_ = {};
+        release(fans_.outgoing);
         if (const std::size_t size = 3 * m.inputVertex_.size(); size > positions_.size()) {
           positions_.reserve(size);
           positions_.resize(size);
@@ -113,15 +109,18 @@ bool MeshBuilding::advance(long budget) {
         positions_.resize(3 * m.inputVertex_.size());
         positions_.shrink_to_fit();
         m.positions_ = std::move(positions_);
-        measureExtent();
       },
-      [&] { return fillInSlices(m.faces_, m.faceCount(), {}, budget); },
-      [&] { return fillInSlices(m.faceArea_, m.faceCount(), 0., budget); },
-      [&] { return fillInSlices(leastExcess_, m.faceCount(), 0., budget); },
+      [&] {
+        return loop_.run(m.vertexCount(), budget, kQuickRounds,
+                         [&](int v) { box_.extend(m.position(v)); });
+      },
+      [&] { requireExtent(); },
       [&] { return forFaces(kMeasuredFaces, [&](int f) { measureFace(f); }); },
       [&] { requireEdgeLength(); },
-      [&] { return forFaces(kQuickRounds, [&](int f) { noteFlatness(f); }); },
-      [&] { release(leastExcess_); },
+      [&] {
+        return loop_.run(maybeFlat_.size(), budget, kQuickRounds,
+                         [&](int i) { noteFlatness(maybeFlat_[i].first, maybeFlat_[i].second); });
+      },
       [&] {
         return !isLengthened() || forFaces(kMeasuredFaces, [&](int f) {
           setFace(f, lengthened(triangle(f), m.repairs_.mollification));
@@ -148,7 +147,6 @@ bool MeshBuilding::advance(long budget) {
 // --- The manifold ------------------------------------------------------------------------------
 
 void MeshBuilding::takeFans() {
-  mesh_.tail_ = std::move(fans_.tail);
   mesh_.inputVertex_ = std::move(fans_.representative);
   mesh_.fanBegin_.reserve(mesh_.inputVertex_.size() + 1);
   mesh_.fanBegin_.push_back(0);
@@ -182,9 +180,9 @@ void MeshBuilding::takePosition(int vertex) {
 
 // --- Measures ----------------------------------------------------------------------------------
 
-void MeshBuilding::measureExtent() {
-  const auto all = Eigen::Matrix3Xd::Map(mesh_.positions_.data(), 3, mesh_.vertexCount());
-  mesh_.boundingDiagonal_ = (all.rowwise().maxCoeff() - all.rowwise().minCoeff()).norm();
+void MeshBuilding::requireExtent() {
+  const Eigen::Vector3d size = box_.diagonal();
+  mesh_.boundingDiagonal_ = std::sqrt(size[0] * size[0] + size[1] * size[1] + size[2] * size[2]);
   if (!(mesh_.boundingDiagonal_ <= kLongestDiagonal))
     rejectMesh("the positions are too far apart to measure distances");
 }
@@ -214,22 +212,25 @@ void MeshBuilding::findShortEdgeLength() {
 /// Coordinates are not centred first: centring would round them, and their differences are as
 /// accurate as the input anyway.
 IntrinsicTriangle MeshBuilding::triangle(int face) const {
-  const int* const tails = &mesh_.tail_[3 * static_cast<std::size_t>(face)];
-  return measureTriangle(
-      {mesh_.position(tails[0]), mesh_.position(tails[1]), mesh_.position(tails[2])});
+  const auto& [a, b, c] = mesh_.face(face).vertices;
+  return measureTriangle({mesh_.position(a), mesh_.position(b), mesh_.position(c)});
 }
 
 void MeshBuilding::measureFace(int face) {
   const IntrinsicTriangle t = triangle(face);
   setFace(face, t);
-  leastExcess_[face] = t.leastExcess();
+  const double longest = std::max({t.lengths[0], t.lengths[1], t.lengths[2]});
+  // The mean edge, which is not known yet, is no longer than the diagonal.
+  if (const double excess = t.leastExcess();
+      excess < leastExcessWanted(longest, mesh_.boundingDiagonal_))
+    maybeFlat_.emplace_back(face, excess);
   for (const double length : t.lengths) mesh_.meanEdgeLength_ += length / mesh_.halfedgeCount();
 }
 
-void MeshBuilding::noteFlatness(int face) {
+void MeshBuilding::noteFlatness(int face, double leastExcess) {
   const auto& lengths = mesh_.faces_[face].lengths;
   const double longest = *std::max_element(lengths.begin(), lengths.end());
-  const double missing = leastExcessWanted(longest, mesh_.meanEdgeLength_) - leastExcess_[face];
+  const double missing = leastExcessWanted(longest, mesh_.meanEdgeLength_) - leastExcess;
   if (missing <= 0) return;
   MeshRepairs& repairs = mesh_.repairs_;
   ++repairs.mollifiedTriangles;
@@ -240,15 +241,12 @@ void MeshBuilding::setFace(int f, const IntrinsicTriangle& t) {
   TriangleMesh::Face& face = mesh_.faces_[f];
   face.lengths = t.lengths;
   for (int i = 0; i < 3; ++i) {
-    const int h = 3 * f + i;
     const double product = t.lengths[i] * t.lengths[TriangleMesh::previous(i)];
     face.cosines[i] = t.dots[i] / product;
     face.sines[i] = t.twiceArea / product;
-    face.vertices[i] = mesh_.tail_[h];
-    face.twins[i] = mesh_.twin_[h];
     face.angles[i] = std::atan2(t.twiceArea, t.dots[i]);
   }
-  mesh_.faceArea_[f] = t.twiceArea / 2;
+  face.area = t.twiceArea / 2;
 }
 
 /// Adds a face to the sums and longest edges of its vertices, to the area and to the needles. Faces
@@ -259,7 +257,7 @@ void MeshBuilding::sumUp(int f) {
     for (const int v : {mesh_.tail(h), mesh_.tip(h)})
       mesh_.longestEdge_[v] = std::max(mesh_.longestEdge_[v], mesh_.length(h));
   }
-  mesh_.area_ += mesh_.faceArea_[f];
+  mesh_.area_ += mesh_.faceArea(f);
   const auto& lengths = mesh_.faces_[f].lengths;
   const auto [shortest, longest] = std::minmax_element(lengths.begin(), lengths.end());
   if (*shortest < kNeedle * *longest) mesh_.needles_.push_back(f);
@@ -285,6 +283,7 @@ void MeshBuilding::sampleBoundary() {
 
 /// Edges that were cut leave vertices at one position; these are no seam.
 void MeshBuilding::lookForSeam(int v) {
+  if (mesh_.topology_.hasOpenSeams) return;
   const int near = boundarySamples_->firstNear(mesh_.position(v));
   if (near < 0 || mesh_.position(near) == mesh_.position(v)) return;
   const auto nextOnLoop = [&](int of) { return mesh_.tip(mesh_.outgoing(of)); };
@@ -292,8 +291,7 @@ void MeshBuilding::lookForSeam(int v) {
 }
 
 void MeshBuilding::countTopology() {
-  const std::vector<int>& twins = mesh_.twin_;
-  const int boundaryEdges = static_cast<int>(std::count(twins.begin(), twins.end(), -1));
+  const int boundaryEdges = static_cast<int>(boundary_.size());  // each vertex begins one
   MeshTopology& topology = mesh_.topology_;
   topology.edges = (mesh_.halfedgeCount() + boundaryEdges) / 2;
   topology.components = oriented_.components;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Geometry>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -18,8 +19,8 @@
 namespace gvd {
 
 /// Builds a manifold from any list of triangles, by the steps listed at `TriangleMesh`.
-/// Intermediate results are freed as soon as no later step needs them, so that building takes no
-/// more memory than the finished mesh.
+/// Each step writes into the faces of the mesh, and intermediate results are freed as soon as no
+/// later step needs them, so that building takes no more memory than the finished mesh.
 class MeshBuilding final : public SlicedWork<TriangleMesh> {
  public:
   MeshBuilding(std::vector<double> positions, std::vector<int> triangles,
@@ -33,11 +34,11 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   void takeFans();
   void listFan(int vertex);
   void takePosition(int vertex);
-  void measureExtent();
+  void requireExtent();
   void findShortEdgeLength();
   void requireEdgeLength() const;
   void measureFace(int face);
-  void noteFlatness(int face);
+  void noteFlatness(int face, double leastExcess);
   void setFace(int face, const IntrinsicTriangle& triangle);
   IntrinsicTriangle triangle(int face) const;
   void sumUp(int face);
@@ -47,7 +48,7 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   void countTopology();
 
   std::vector<double> positions_;  ///< the input's, later the mesh's
-  std::vector<int> triangles_;     ///< the input's, later a halfedge per corner
+  std::vector<int> triangles_;     ///< the input's
   const MeshOptions options_;
   TriangleMesh mesh_;
 
@@ -65,7 +66,9 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   Fans fans_;
   int firstCopy_ = 0;  ///< vertices from this one on are copies for further fans
   std::optional<InputMap> mapping_;
-  std::vector<double> leastExcess_;  ///< of each face
+  Eigen::AlignedBox3d box_;
+  /// The least excess of the faces that may turn out to be flat.
+  std::vector<std::pair<int, double>> maybeFlat_;
   std::vector<char> isOnFoundLoop_;  ///< vertices
   std::vector<int> boundary_;        ///< vertices, along the loops
   std::optional<PointGrid> boundarySamples_;

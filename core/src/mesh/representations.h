@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 
 #include "gvd/surface_point.h"
@@ -39,10 +40,12 @@ inline int vertexAt(const TriangleMesh& mesh, const SurfacePoint& p) {
 /// edge or vertex it lies on.
 inline Eigen::Vector3d baryInFace(const TriangleMesh& mesh, const SurfacePoint& p, int face) {
   if (p.face == face) return p.bary;
+  const std::array<int, 3>& from = mesh.face(p.face).vertices;
+  const std::array<int, 3>& to = mesh.face(face).vertices;
   Eigen::Vector3d bary = Eigen::Vector3d::Zero();
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
-      if (mesh.tail(3 * p.face + j) == mesh.tail(3 * face + i)) bary[i] = p.bary[j];
+      if (from[j] == to[i]) bary[i] = p.bary[j];
   const double sum = bary.sum();
   return sum > 0 ? Eigen::Vector3d(bary / sum) : Eigen::Vector3d(Eigen::Vector3d::Unit(0));
 }

@@ -57,10 +57,25 @@ std::string TriangleMesh::faultOfPoint(const SurfacePoint& p) const {
   return faultOf(p.bary);
 }
 
+/// A halfedge that leaves each corner of an input triangle, all on one face; -1 if there is none.
+std::array<int, 3> TriangleMesh::halfedgesOfInput(int triangle) const {
+  const auto face = std::lower_bound(inputFace_.begin(), inputFace_.end(), triangle);
+  if (face != inputFace_.end() && *face == triangle) {
+    const int f = static_cast<int>(face - inputFace_.begin()), first = 3 * f;
+    return isFlipped(f) ? std::array{first, first + 2, first + 1}
+                        : std::array{first, first + 1, first + 2};
+  }
+  const auto dropped =
+      std::lower_bound(dropped_.begin(), dropped_.end(), triangle,
+                       [](const DroppedTriangle& each, int input) { return each.input < input; });
+  return dropped != dropped_.end() && dropped->input == triangle ? dropped->halfedges
+                                                                 : std::array{-1, -1, -1};
+}
+
 SurfacePoint TriangleMesh::fromInput(const SurfacePoint& p) const {
   if (p.face < 0 || p.face >= inputFaceCount())
     rejectPoint("there is no triangle " + std::to_string(p.face));
-  const int* const halfedges = &halfedgeOfInput_[3 * static_cast<std::size_t>(p.face)];
+  const std::array<int, 3> halfedges = halfedgesOfInput(p.face);
   if (halfedges[0] < 0)
     rejectPoint("triangle " + std::to_string(p.face) +
                 " was dropped and no other triangle has its points");

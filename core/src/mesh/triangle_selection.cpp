@@ -3,19 +3,10 @@
 
 #include <algorithm>
 #include <string>
-#include <tuple>
 
 #include "gvd/error.h"
 
 namespace gvd {
-namespace {
-
-Corners sorted(Corners corners) {
-  std::sort(corners.begin(), corners.end());
-  return corners;
-}
-
-}  // namespace
 
 bool isFinite(const Corners& corners) {
   return std::min({corners[0], corners[1], corners[2]}) >= 0;
@@ -36,13 +27,13 @@ bool TriangleSelection::step(long& budget) {
       [&] { return loop_.run(count, budget, kQuickRounds, [&](int t) { this->count(t); }); },
       [&] { return byLowestCorner_.run(count, vertexCount_, lowestCorner, budget); },
       [&] {
-        return loop_.run(vertexCount_, budget, 4,
-                         [&](int group) { findOriginals(byLowestCorner_.items(group)); });
+        return byLowestCorner_.visitGroups(
+            [&](std::span<const int> group) { findOriginals(group); }, budget);
       },
       [&] {
         byLowestCorner_ = {};
         out_.input.reserve(originals_);
-        out_.corners.reserve(originals_);
+        out_.faces.reserve(originals_);
         return loop_.run(count, budget, kQuickRounds, [&](int t) { keep(t); });
       },
       [&] { requireAny(); });
@@ -56,19 +47,19 @@ void TriangleSelection::count(int t) {
     ++repairs_.degenerateTriangles;
 }
 
-/// Notes for each triangle the first triangle with the same three corners, in any order.
-void TriangleSelection::findOriginals(std::span<int> triangles) {
-  if (triangles.size() > 1)
-    std::sort(triangles.begin(), triangles.end(), [&](int s, int t) {
-      const Corners a = sorted(welded_[s]), b = sorted(welded_[t]);
-      return std::tie(a, s) < std::tie(b, t);
-    });
-  forEachRun(
-      triangles, [&](int s, int t) { return sorted(welded_[s]) == sorted(welded_[t]); },
-      [&](std::span<const int> run) {
-        for (const int t : run) out_.kept[t] = run.front();
-        ++originals_;
-      });
+/// Notes for each triangle the first triangle with the same three corners, in any order. All given
+/// ones have the same lowest corner.
+void TriangleSelection::findOriginals(std::span<const int> triangles) {
+  byCorners_.clear();
+  for (const int t : triangles) {
+    Corners corners = welded_[t];
+    std::sort(corners.begin(), corners.end());
+    byCorners_.push_back({corners[1], corners[2], t});
+  }
+  visitSame(byCorners_, [&](std::span<const KeyedItem> run) {
+    for (const auto& [middle, highest, t] : run) out_.kept[t] = run.front()[2];
+    ++originals_;
+  });
 }
 
 void TriangleSelection::keep(int t) {
@@ -77,7 +68,9 @@ void TriangleSelection::keep(int t) {
   if (kept == t) {
     kept = static_cast<int>(out_.input.size());
     out_.input.push_back(t);
-    out_.corners.push_back(welded_[t]);
+    TriangleMesh::Face& face = out_.faces.emplace_back();
+    face.vertices = welded_[t];
+    face.twins = {-1, -1, -1};
   } else {
     kept = out_.kept[kept];
     ++repairs_.duplicateTriangles;

@@ -21,9 +21,9 @@ bool isDegenerate(const Corners& corners);
 
 /// The kept triangles, in the input's order, and the kept triangle of each input triangle.
 struct Selection {
-  std::vector<int> input;        ///< of each kept triangle, the input triangle
-  std::vector<Corners> corners;  ///< of each kept triangle, the representatives
-  std::vector<int> kept;         ///< of each input triangle, the kept one with its corners, or -1
+  std::vector<int> input;  ///< of each kept triangle, the input triangle
+  Faces faces;             ///< of each kept triangle; only the vertices, its representatives
+  std::vector<int> kept;   ///< of each input triangle, the kept one with its corners, or -1
 };
 
 /// Drops welded triangles that are not finite, degenerate, or duplicates of earlier ones, and
@@ -38,7 +38,7 @@ class TriangleSelection {
 
  private:
   void count(int t);
-  void findOriginals(std::span<int> triangles);
+  void findOriginals(std::span<const int> triangles);
   void keep(int t);
   void requireAny() const;
 
@@ -49,6 +49,8 @@ class TriangleSelection {
   SlicedSequence sequence_;
   SlicedLoop loop_;
   Grouping byLowestCorner_;
+  /// Of the triangles with one lowest corner: the two others, ascending, and the triangle.
+  std::vector<KeyedItem> byCorners_;
   std::size_t originals_ = 0;
   Selection out_;
 };

@@ -37,9 +37,7 @@ bool VertexWelding::step(long& budget) {
         return places_.run(
             count, count, [&](int v) { return placeGroup(v); }, budget);
       },
-      [&] {
-        return loop_.run(count, budget, 4, [&](int group) { weldGroup(places_.items(group)); });
-      },
+      [&] { return places_.visitGroups([&](std::span<int> group) { weldGroup(group); }, budget); },
       [&] {
         places_ = {};
         return weld_ == 0 || loop_.run(triangles_.size(), budget, kQuickRounds,

@@ -91,10 +91,7 @@ class Partitioner final : public SlicedWork<Partition> {
     if (isLeftOut_[f] || (label < 0 && options_.leaveOutUnreachable)) return;
     if (onSides.empty()) {
       uncut_[f] = static_cast<int>(pieces_.size());
-      pieces_.push_back({{mesh_.tail(3 * f), mesh_.tail(3 * f + 1), mesh_.tail(3 * f + 2)},
-                         label,
-                         f,
-                         mesh_.faceArea(f)});
+      pieces_.push_back({mesh_.face(f).vertices, label, f, mesh_.faceArea(f)});
     } else {
       addFaceWithSidePoints(f, onSides);
       measurePieces(firstPiece);

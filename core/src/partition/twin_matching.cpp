@@ -25,7 +25,7 @@ void TwinMatching::matchTriangle(int t) {
 bool TwinMatching::takeFromMesh(int h) {
   const int face = out_.triangleFace[h / 3];
   if (uncut_[face] < 0) return false;
-  const int beyond = mesh_.twin(3 * face + h % 3);
+  const int beyond = mesh_.face(face).twins[h % 3];
   if (beyond < 0) return true;
   const int triangle = uncut_[TriangleMesh::faceOf(beyond)];
   if (triangle < 0) return false;
@@ -57,7 +57,7 @@ void TwinMatching::match(int h) {
 bool TwinMatching::isOnMeshBoundary(int h) const {
   const int face = out_.triangleFace[h / 3];
   for (int i = 0; i < 3; ++i) {
-    if (mesh_.twin(3 * face + i) >= 0) continue;
+    if (mesh_.face(face).twins[i] >= 0) continue;
     bool isOnSide = true;
     for (const int end : {tailOf(out_.triangles, h), tipOf(out_.triangles, h)})
       isOnSide &= baryInFace(mesh_, out_.points[end], face)[cornerBefore(i)] == 0;
