@@ -16,7 +16,7 @@ KnownLabels::KnownLabels(const TriangleMesh& mesh, const SiteSet& sites, Nearest
       owners_(mesh, sites, bounds),
       lists_(mesh, spread, bounds),
       turns_(spread),
-      closure_(mesh, spread, bounds, owners_, lists_),
+      closure_(mesh, spread, owners_, lists_),
       affectedFaces_(mesh.faceCount()),
       changedVertices_(mesh.vertexCount()),
       changedFaces_(mesh.faceCount()) {}

@@ -4,7 +4,6 @@
 #include <array>
 #include <utility>
 
-#include "distance/edge_share.h"
 #include "distance/labelled_distances.h"
 
 namespace gvd {
@@ -83,7 +82,9 @@ long LabelClosure::closeFace(int f) {
   if ((a.size() > 1) + (b.size() > 1) + (c.size() > 1) < 2) return 1;
   visitLabels(a, b, c, [&](int label, const auto& at) {
     const int known = (at[0] != nullptr) + (at[1] != nullptr) + (at[2] != nullptr);
-    if (known == 2) requireAcross(3 * f + (at[2] ? at[1] ? 1 : 2 : 0), label);
+    if (known != 2) return;
+    const int i = at[2] ? at[1] ? 1 : 2 : 0;
+    requireAcross(3 * f + i, {label, at[i]->distance, at[cornerAfter(i)]->distance});
   });
   return static_cast<long>(a.size() + b.size() + c.size());
 }
@@ -91,33 +92,34 @@ long LabelClosure::closeFace(int f) {
 /// The same for one label, newly known at a vertex, in all faces around the vertex.
 void LabelClosure::closeAround(const LabelAtVertex& added) {
   const auto& [vertex, label] = added;
-  for (const int h : mesh_.fan(vertex)) {
-    const int before = TriangleMesh::previous(h);
-    const bool isAfter = lists_.distance(mesh_.tip(h), label) < kInfinity;
-    const bool isBefore = lists_.distance(mesh_.tail(before), label) < kInfinity;
-    if (isAfter != isBefore) requireAcross(isAfter ? h : before, label);
+  const std::span<const int> fan = mesh_.fan(vertex);
+  const double here = lists_.distance(vertex, label);
+  double after = lists_.distance(mesh_.tip(fan.front()), label);
+  for (const int h : fan) {
+    const int last = TriangleMesh::previous(h);
+    const double before = lists_.distance(mesh_.tail(last), label);
+    if (after < kInfinity && before == kInfinity) requireAcross(h, {label, here, after});
+    if (after == kInfinity && before < kInfinity) requireAcross(last, {label, before, here});
+    after = before;
   }
 }
 
 /// Requires a label known at both ends of a halfedge at its apex if the label owns part of the
 /// edge.
-void LabelClosure::requireAcross(int h, int label) {
-  if (ownsPartOfEdge(label, h)) owners_.add(TriangleMesh::faceOf(h), label, true, found_);
+void LabelClosure::requireAcross(int h, const EdgeShare& share) {
+  if (ownsPartOfEdge(share, h)) owners_.add(TriangleMesh::faceOf(h), share.label(), true, found_);
 }
 
 /// Whether a label is nearest anywhere on an edge by interpolation. Competes only with owners that
 /// were not themselves found by interpolation, so that the order of discovery does not matter.
-bool LabelClosure::ownsPartOfEdge(int label, int h) const {
+bool LabelClosure::ownsPartOfEdge(EdgeShare share, int h) const {
   const int tail = mesh_.tail(h), tip = mesh_.tip(h);
-  EdgeShare share(label, lists_.distance(tail, label), lists_.distance(tip, label));
   const auto keepsPartBeside = [&](int other) {
-    if (other == label) return true;
+    if (other == share.label()) return true;
     const double atTail = lists_.distance(tail, other), atTip = lists_.distance(tip, other);
     if (atTail < kInfinity && atTip < kInfinity) share.yieldTo(other, atTail, atTip);
     return !share.isEmpty();
   };
-  // The owners of the ends come first: for most labels, one of them is nearer at both ends.
-  if (!keepsPartBeside(bounds_[tail].label) || !keepsPartBeside(bounds_[tip].label)) return false;
   for (const int side : {h, mesh_.twin(h)}) {
     if (side < 0) continue;
     const int face = TriangleMesh::faceOf(side);

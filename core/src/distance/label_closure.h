@@ -6,10 +6,10 @@
 
 #include "base/index_set.h"
 #include "base/sliced_loop.h"
+#include "distance/edge_share.h"
 #include "distance/face_owners.h"
 #include "distance/label_lists.h"
 #include "distance/label_turns.h"
-#include "distance/nearest_bounds.h"
 #include "gvd/triangle_mesh.h"
 
 namespace gvd {
@@ -27,10 +27,8 @@ namespace gvd {
 class LabelClosure {
  public:
   /// Adds to `lists` and `owners`. All arguments must outlive this.
-  LabelClosure(const TriangleMesh& mesh, LabelSpread& spread, const NearestBounds& bounds,
-               FaceOwners& owners, LabelLists& lists)
+  LabelClosure(const TriangleMesh& mesh, LabelSpread& spread, FaceOwners& owners, LabelLists& lists)
       : mesh_(mesh),
-        bounds_(bounds),
         owners_(owners),
         lists_(lists),
         turns_(spread),
@@ -48,13 +46,12 @@ class LabelClosure {
   void beginRound(std::span<const Requirement> requirements);
   long closeFace(int face);
   void closeAround(const LabelAtVertex& added);
-  void requireAcross(int halfedge, int label);
-  bool ownsPartOfEdge(int label, int halfedge) const;
+  void requireAcross(int halfedge, const EdgeShare& share);
+  bool ownsPartOfEdge(EdgeShare share, int halfedge) const;
   std::vector<int> listRequired(int label, std::span<const int> faces);
   void noteAdded(int vertex, int label);
 
   const TriangleMesh& mesh_;
-  const NearestBounds& bounds_;
   FaceOwners& owners_;
   LabelLists& lists_;
   LabelTurns turns_;

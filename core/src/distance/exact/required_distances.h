@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <span>
 #include <vector>
 
 #include "base/lanes.h"
@@ -66,9 +65,10 @@ class RequiredDistances {
   /// Whether paths of at least `length` to points within `radius` of `place` can become the
   /// shortest to a required place. The rest of a path is at least as long as the straight line in
   /// space, and its `excess` over the distance of the nearest label does not fall along the way.
-  /// Ignores the places with the indices `without`.
+  /// Ignores the places whose indices `visitIgnored` passes to the function given to it.
+  template <class VisitIgnored>
   bool canGain(const Eigen::Vector3d& place, double radius, double length, double excess,
-               std::span<const int> without) const {
+               VisitIgnored visitIgnored) const {
     const Eigen::Vector3f p = (scale_ * place).cast<float>();
     const float reach = roundedUp(scale_ * (radius - length)) + kPlaceRounding;
     const float least = -roundedUp(-scale_ * excess);
@@ -81,7 +81,7 @@ class RequiredDistances {
     for (size_t i = 1; i < blocks_.size(); ++i) gains += gainsIn(blocks_[i]);
     int count = -(gains[0] + gains[1] + gains[2] + gains[3]);
     if (count == 0) return false;
-    for (const int i : without) count += gainsIn(blocks_[i / kLanes])[i % kLanes];
+    visitIgnored([&](int i) { count += gainsIn(blocks_[i / kLanes])[i % kLanes]; });
     return count > 0;
   }
 

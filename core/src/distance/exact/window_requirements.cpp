@@ -205,10 +205,10 @@ bool WindowSweep::canGain(int h, const Windows& windows) {
   const double middle = (begin + end) / 2, share = middle / length;
   const Eigen::Vector3d place =
       (1 - share) * placeOf(face.vertices[i]) + share * placeOf(face.vertices[j]);
-  inFace_.clear();
-  for (const int v : face.vertices) inFace_.push_back(vertices_.required(v));
-  for (const auto& p : points_.in(h / 3)) inFace_.push_back(p.index);
-  return required_.canGain(place, end - middle, least, excess, inFace_);
+  return required_.canGain(place, end - middle, least, excess, [&](auto ignore) {
+    for (const int v : face.vertices) ignore(vertices_.required(v));
+    for (const auto& p : points_.in(h / 3)) ignore(p.index);
+  });
 }
 
 /// Queues the waiting windows and sources that can shorten a required distance.

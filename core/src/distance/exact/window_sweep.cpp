@@ -253,7 +253,8 @@ bool WindowSweep::maySpreadFrom(int v) {
   const double nearest = bounds_[v].distance;
   if (own.distance <= nearest + tieMargin_) return true;
   if (to_ != SpreadTo::kRequired || own.distance - nearest >= mostExcess_) return false;
-  return required_.canGain(placeOf(v), 0, own.distance, own.distance - nearest, {&own.required, 1});
+  return required_.canGain(placeOf(v), 0, own.distance, own.distance - nearest,
+                           [&](auto ignore) { ignore(own.required); });
 }
 
 /// Spreads a virtual source into a face around it: offers the corners their distances and starts a

@@ -191,7 +191,6 @@ class WindowSweep {
   RequiredDistances required_;
   double mostExcess_ = 0;  ///< of `required_`, when the label began to go on
   PointsByFace points_;
-  std::vector<int> inFace_;  ///< indices in `required_` of the current face
 
   long crossedWindows_ = 0;  ///< in the current turn of the queue
 
