@@ -28,18 +28,19 @@ namespace {
 class Tracing final : public SlicedWork<TracedDiagram> {
  public:
   /// Traces outlines of the labels with `isTraced[label]`, of all labels if it is empty.
-  Tracing(const TriangleMesh& mesh, const DistanceField& distances, FaceComplex& complex,
+  Tracing(const TriangleMesh& mesh, const DistanceField& distances, ComplexBuilding& building,
           int siteCount, std::vector<char> isTraced, NodePoints& nodePoints)
       : mesh_(mesh),
         distances_(distances),
-        complex_(complex),
+        building_(building),
+        complex_(building.complex()),
         siteCount_(siteCount),
         isTraced_(std::move(isTraced)),
         nodePoints_(nodePoints) {}
 
   bool advance(long budget) override {
     return sequence_.run(
-        [&] { return complex_.step(budget); },
+        [&] { return building_.step(budget); },
         [&] { return complex_.hasFacesOnly() || runPart(completion_, budget, complex_); },
         [&] { return isUnreliable() || trace(budget); });
   }
@@ -89,6 +90,7 @@ class Tracing final : public SlicedWork<TracedDiagram> {
 
   const TriangleMesh& mesh_;
   const DistanceField& distances_;
+  ComplexBuilding& building_;
   FaceComplex& complex_;
   const int siteCount_;
   const std::vector<char> isTraced_;
@@ -130,13 +132,13 @@ class FullTracing final : public SlicedWork<TracedDiagram> {
               const DiagramOptions& options)
       : distances_(distances),
         siteCount_(siteCount),
-        complex_(mesh, distances, validDetail(options), FaceComplex::Extent::kMesh),
-        tracing_(mesh, distances, complex_, siteCount, {}, nodePoints_) {}
+        building_(mesh, distances, validDetail(options), ComplexBuilding::Extent::kMesh),
+        tracing_(mesh, distances, building_, siteCount, {}, nodePoints_) {}
 
   bool advance(long budget) override {
     return sequence_.run(
         [&] {
-          return loop_.run(complex_.mesh().vertexCount(), budget, kQuickRounds,
+          return loop_.run(building_.complex().mesh().vertexCount(), budget, kQuickRounds,
                            [&](int v) { requireLabels(distances_.at(v), siteCount_); });
         },
         [&] { return tracing_.step(budget); });
@@ -149,7 +151,7 @@ class FullTracing final : public SlicedWork<TracedDiagram> {
   const int siteCount_;
   SlicedSequence sequence_;
   SlicedLoop loop_;
-  FaceComplex complex_;
+  ComplexBuilding building_;
   NodePoints nodePoints_;
   Tracing tracing_;
 };
@@ -197,13 +199,13 @@ PartialTracer::PartialTracer(const TriangleMesh& mesh, const DistanceField& dist
                              const DiagramOptions& options)
     : mesh_(mesh),
       distances_(distances),
-      complex_(mesh, distances, validDetail(options), FaceComplex::Extent::kPart) {}
+      building_(mesh, distances, validDetail(options), ComplexBuilding::Extent::kPart) {}
 
 std::unique_ptr<SlicedWork<TracedDiagram>> PartialTracer::start(std::span<const int> faces,
                                                                 std::vector<char> isTraced) {
-  complex_.setPart(faces);
+  building_.startPart(faces);
   const int labelCount = static_cast<int>(isTraced.size());
-  return std::make_unique<Tracing>(mesh_, distances_, complex_, labelCount, std::move(isTraced),
+  return std::make_unique<Tracing>(mesh_, distances_, building_, labelCount, std::move(isTraced),
                                    nodePoints_);
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "diagram/bisector_tracing.h"
-#include "diagram/face_complex.h"
+#include "diagram/complex_building.h"
 #include "gvd/diagram.h"
 #include "gvd/geodesic.h"
 #include "gvd/sliced_work.h"
@@ -48,12 +48,12 @@ class PartialTracer {
   std::unique_ptr<SlicedWork<TracedDiagram>> start(std::span<const int> faces,
                                                    std::vector<char> isTraced);
   /// The index of a face among those of the last trace, -1 if it is not one of them.
-  int faceIndex(int face) const { return complex_.faceIndex(face); }
+  int faceIndex(int face) const { return building_.complex().faceIndex(face); }
 
  private:
   const TriangleMesh& mesh_;
   const DistanceField& distances_;
-  FaceComplex complex_;
+  ComplexBuilding building_;
   NodePoints nodePoints_;
 };
 

@@ -2,56 +2,43 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
 #include <span>
 #include <vector>
 
-#include "base/sliced_loop.h"
-#include "diagram/element_splitting.h"
 #include "diagram/element_twins.h"
+#include "diagram/elements.h"
 #include "diagram/node_labels.h"
-#include "distance/ties.h"
 #include "gvd/geodesic.h"
 #include "gvd/triangle_mesh.h"
 
 namespace gvd {
 
 /// The triangles a diagram is traced on, called *elements*: faces of the mesh, or for a finer
-/// diagram parts of them, as halfedges in the manner of `TriangleMesh`.
+/// diagram parts of them, as halfedges in the manner of `TriangleMesh`. A `ComplexBuilding` makes
+/// one.
 ///
 /// Two elements agree on the owners along their common side if every label that is nearest
 /// somewhere on it is known at all three nodes of both. The distance field guarantees this for
 /// faces, `LabelCompletion` for smaller elements.
 class FaceComplex {
  public:
-  enum class Extent { kMesh, kPart };
-
-  /// A complex of all faces or, after `setPart`, of some. Mixed faces are split as
-  /// `DiagramOptions::detail` says, with distances at the new nodes.
-  FaceComplex(const TriangleMesh& mesh, const DistanceField& distances, int detail, Extent extent);
-  /// Begins to replace the part by another one: some faces, given ascending. Only the nodes of
-  /// these have owners. Takes time for the new faces and the previous ones only.
-  void setPart(std::span<const int> faces);
-  /// The complex is complete once this has returned true.
-  bool step(long& budget);
-
   const TriangleMesh& mesh() const { return mesh_; }
   const NodeLabels& nodes() const { return nodes_; }
   NodeLabels& nodes() { return nodes_; }
-  int elementCount() const { return isOwn_ ? elements_.count() : mesh_.faceCount(); }
+  int elementCount() const { return hasOwnElements_ ? elements_.count() : mesh_.faceCount(); }
   /// The three nodes at an element's corners.
   const int* nodesOf(int element) const {
-    return isOwn_ ? elements_.nodes(element) : mesh_.face(element).vertices.data();
+    return hasOwnElements_ ? elements_.nodes(element) : mesh_.face(element).vertices.data();
   }
   /// -1 on the mesh boundary, at faces outside of the complex, and where an element meets several
   /// smaller ones: one label owns all of such a side.
-  int twin(int h) const { return isOwn_ ? twins_[h] : mesh_.twin(h); }
+  int twin(int h) const { return hasOwnElements_ ? twins_[h] : mesh_.twin(h); }
   /// The mesh's boundary halfedge that a halfedge is part of, -1 if none.
   int boundaryHalfedge(int h) const;
   /// The number of faces of the complex, and the index of a face among them, -1 if it is not in.
-  int faceCount() const { return isPart_ ? partSize_ : mesh_.faceCount(); }
-  int faceIndex(int face) const { return isPart_ ? indexInPart_[face] : face; }
-  int face(int element) const { return isOwn_ ? elements_.face[element] : element; }
+  int faceCount() const { return isPart() ? partSize_ : mesh_.faceCount(); }
+  int faceIndex(int face) const { return isPart() ? indexInPart_[face] : face; }
+  int face(int element) const { return hasOwnElements_ ? elements_.face[element] : element; }
   /// The number of elements that are only part of their face.
   int partialCount() const { return static_cast<int>(elements_.corners.size()); }
   /// Whether every element is a face, so that they are in the order of their faces.
@@ -78,33 +65,25 @@ class FaceComplex {
   int mixedCount() const { return mixedCount_; }
 
  private:
-  bool addMesh(long& budget);
-  bool finish(long& budget);
-  void addFace(int face);
-  double expectedParts(int face) const;
-  void clear();
-  void noteUndecided(int element);
+  friend class ComplexBuilding;
+  FaceComplex(const TriangleMesh& mesh, const DistanceField& distances, bool hasOwnElements)
+      : mesh_(mesh),
+        hasOwnElements_(hasOwnElements),
+        nodes_(distances, mesh.vertexCount()),
+        twins_(mesh, elements_) {}
+
+  bool isPart() const { return !indexInPart_.empty(); }
 
   const TriangleMesh& mesh_;
-  const DistanceField& distances_;
-  const bool isPart_;
-  const int detail_;
-  const double longestSide_;  ///< of mixed elements, if these are split
-  const bool isOwn_;  ///< whether elements are kept here: they are not just the faces of the mesh
-  const TieTolerance ties_;
+  const bool hasOwnElements_;  ///< false: the elements are the faces of the mesh, and its arrays
   NodeLabels nodes_;
-  Elements elements_;  ///< if they are kept here
+  Elements elements_;  ///< these two are empty without elements of its own
   ElementTwins twins_;
-  std::vector<int> soleOwner_;
+  std::vector<int> soleOwner_;  ///< per element
   std::vector<int> undecided_;
+  int mixedCount_ = 0;
   std::vector<int> indexInPart_;  ///< per face of the mesh, -1 if it is not in; empty if all are
   int partSize_ = 0;
-
-  SlicedSequence adding_, finishing_;
-  SlicedLoop loop_;
-  double partsExpected_ = 0;  ///< of mixed faces
-  int mixedCount_ = 0;
-  std::optional<ElementSplitting> splitting_;
 };
 
 }  // namespace gvd

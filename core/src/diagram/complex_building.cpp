@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "diagram/complex_building.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "gvd/diagram.h"
+
+namespace gvd {
+namespace {
+
+/// The longest side of the parts of mixed faces: √2 times the mean edge, halved `detail` times.
+/// Halving leaves sides between half of this and all of it, a mean edge on average.
+double longestSideOf(const TriangleMesh& mesh, int detail) {
+  return std::ldexp(std::sqrt(2.0) * mesh.meanEdgeLength(), -detail);
+}
+
+}  // namespace
+
+ComplexBuilding::ComplexBuilding(const TriangleMesh& mesh, const DistanceField& distances,
+                                 int detail, Extent extent)
+    : mesh_(mesh),
+      distances_(distances),
+      detail_(detail),
+      longestSide_(longestSideOf(mesh, detail)),
+      ties_(mesh),
+      complex_(mesh, distances, extent == Extent::kPart || detail > 0) {
+  if (extent == Extent::kMesh) return;
+  complex_.indexInPart_.assign(mesh.faceCount(), -1);
+  complex_.nodes_.addVertices();
+}
+
+bool ComplexBuilding::step(long& budget) {
+  return sequence_.run([&] { return complex_.isPart() || addMesh(budget); },
+                       [&] {
+                         return detail_ == 0 ||
+                                runPart(splitting_, budget, mesh_, ties_, distances_, longestSide_,
+                                        complex_.elements_, complex_.nodes_);
+                       },
+                       [&] { return matchTwins(budget); },
+                       [&] { complex_.soleOwner_.reserve(complex_.elementCount()); },
+                       [&] {
+                         return loop_.run(complex_.elementCount(), budget, kQuickRounds,
+                                          [&](int e) { findOwner(e); });
+                       });
+}
+
+/// Adds all vertices, and the faces too if mixed ones are to be split.
+bool ComplexBuilding::addMesh(long& budget) {
+  NodeLabels& nodes = complex_.nodes_;
+  const auto forFaces = [&](auto body) {
+    return !complex_.hasOwnElements_ || loop_.run(mesh_.faceCount(), budget, kQuickRounds, body);
+  };
+  return adding_.run(
+      [&] { nodes.reserve(mesh_.vertexCount()); },
+      [&] {
+        return loop_.run(mesh_.vertexCount(), budget, kQuickRounds,
+                         [&](int) { nodes.addVertex(); });
+      },
+      [&] {
+        return forFaces([&](int f) {
+          if (nodes.commonOwner(mesh_.face(f).vertices.data()) == Diagram::kMixed)
+            partsExpected_ += expectedParts(f);
+        });
+      },
+      [&] {
+        // Lists that grow beyond what is reserved are copied in one step.
+        if (complex_.hasOwnElements_)
+          complex_.elements_.reserve(mesh_.faceCount() + static_cast<size_t>(partsExpected_));
+      },
+      [&] { return forFaces([&](int f) { addFace(f); }); });
+}
+
+/// About how many elements a mixed face becomes, if bisectors run along its longest side; not more
+/// than `kMost`, because where faces are large, bisectors mostly run across.
+double ComplexBuilding::expectedParts(int face) const {
+  const std::array<double, 3>& lengths = mesh_.face(face).lengths;
+  const double longest = *std::max_element(lengths.begin(), lengths.end());
+  constexpr double kMost = 1024;
+  return std::min(4 * longest / longestSide_, kMost);
+}
+
+bool ComplexBuilding::matchTwins(long& budget) {
+  if (detail_ > 0) return complex_.twins_.match(complex_.nodes_.count(), budget);
+  if (complex_.isPart()) complex_.twins_.matchFaces(complex_.indexInPart_);
+  return true;
+}
+
+void ComplexBuilding::startPart(std::span<const int> faces) {
+  clear();
+  complex_.partSize_ = static_cast<int>(faces.size());
+  for (const int f : faces) {
+    complex_.indexInPart_[f] = complex_.elements_.count();
+    addFace(f);
+  }
+  for (const int v : complex_.elements_.tail) complex_.nodes_.findOwner(v);
+}
+
+void ComplexBuilding::clear() {
+  complex_.nodes_.clear(complex_.elements_.tail);
+  for (const int f : complex_.elements_.face) complex_.indexInPart_[f] = -1;
+  complex_.twins_.clear();
+  complex_.elements_.clear();
+  complex_.soleOwner_.clear();
+  complex_.undecided_.clear();
+  complex_.mixedCount_ = 0;
+  splitting_.reset();
+  sequence_ = {};
+}
+
+void ComplexBuilding::addFace(int face) {
+  complex_.elements_.addFace(face, mesh_.face(face).vertices);
+}
+
+/// Finds the sole owner of an element, if there is one, or notes the element as undecided.
+void ComplexBuilding::findOwner(int element) {
+  const NodeLabels& nodes = complex_.nodes_;
+  const int* const node = complex_.nodesOf(element);
+  const int owner = nodes.commonOwner(node);
+  complex_.soleOwner_.push_back(owner);
+  complex_.mixedCount_ += owner == Diagram::kMixed;
+  if (owner < 0 || std::all_of(node, node + 3, [&](int n) { return nodes.hasTie(n); }))
+    complex_.undecided_.push_back(element);
+}
+
+}  // namespace gvd
