@@ -26,7 +26,7 @@ class EdgeShare {
     const double lagAtTip = atTip_ - otherAtTip * otherAtTip;
     const bool isBehindAtTail = isBehind(lagAtTail, other);
     const bool isBehindAtTip = isBehind(lagAtTip, other);
-    if (isBehindAtTail && isBehindAtTip) from_ = 2;
+    if (isBehindAtTail && isBehindAtTip) from_ = 2;  // beyond the tip: nothing is left
     if (isBehindAtTail == isBehindAtTip) return;
     const double tie = lagAtTail / (lagAtTail - lagAtTip);
     if (isBehindAtTail)

@@ -55,12 +55,14 @@ void KnownLabels::start(const LabelChange& change) {
 
 bool KnownLabels::step(long& budget) {
   return sequence_.run(
+      // 1. Owners.
       [&] { return markFinal(budget); }, [&] { findAffected(); }, [&] { return findTies(budget); },
       [&] {
         return loop_.run(affectedFaces_.size(), budget, kQuickRounds,
                          [&](int i) { owners_.reset(affectedFaces_.list()[i], requirements_); });
       },
       [&] { addTies(); },
+      // 2. Required distances.
       [&] {
         turns_.clear();
         turns_.addRequired(requirements_);
@@ -71,11 +73,13 @@ bool KnownLabels::step(long& budget) {
         progress_ = kShare * turns_.progress();
         return isDone;
       },
+      // 3. Lists.
       [&] { collectLists(); }, [&] { return listLabels(budget); },
       [&] {
         return loop_.run(changedVertices_.size(), budget, kQuickRounds,
                          [&](int i) { lists_.equalizeTies(changedVertices_.list()[i]); });
       },
+      // 4. Closure.
       [&] { closure_.start(changedFaces_); }, [&] { return closure_.step(budget); },
       [&] {
         noteExtended();

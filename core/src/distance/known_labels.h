@@ -7,6 +7,7 @@
 #include "base/index_set.h"
 #include "base/sliced_loop.h"
 #include "distance/face_owners.h"
+#include "distance/label_change.h"
 #include "distance/label_closure.h"
 #include "distance/label_lists.h"
 #include "distance/label_spread.h"
@@ -16,14 +17,6 @@
 #include "gvd/triangle_mesh.h"
 
 namespace gvd {
-
-/// What a change of sites means for labels.
-struct LabelChange {
-  std::vector<int> started;        ///< labels that spread from their sites
-  std::vector<int> resumed;        ///< labels that spread on from where they had stopped
-  std::vector<char> hasStarted;    ///< per label
-  std::vector<int> resetVertices;  ///< the owner was removed or exceeds the edge bound
-};
 
 /// The labels known at each vertex. They are found in four steps after labels have spread:
 ///

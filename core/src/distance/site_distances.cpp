@@ -46,8 +46,8 @@ SiteDistances::SiteDistances(const TriangleMesh& mesh, Metric metric)
       bounds_(mesh),
       spread_(makeSpread(mesh, metric, sites_, edgeBounds_, bounds_)),
       reaching_(mesh.vertexCount()),
+      lowering_(mesh, *spread_, edgeBounds_, bounds_),
       known_(mesh, sites_, bounds_, *spread_),
-      turns_(*spread_),
       forgottenAt_(mesh.vertexCount()) {}
 
 // --- A change ----------------------------------------------------------------------------------
@@ -56,7 +56,7 @@ void SiteDistances::change(std::span<const SiteChange> changes) {
   for (const SiteChange& c : changes)
     if (c.site) onMesh(mesh_, *c.site, "site " + std::to_string(c.label) + ": ");
   change_ = {};
-  missed_.clear();
+  lowering_.beginChange();
   forgottenAt_.clear();
   known_.beginChange();
   if (sites_.count() > 0) reaching_.collect(*spread_, sites_.labelCount());
@@ -76,7 +76,6 @@ void SiteDistances::change(std::span<const SiteChange> changes) {
     change_.started.push_back(c.label);
   }
   sequence_ = {};
-  hasSpread_ = false;
 }
 
 /// Forgets the distances of some labels. Other labels that have reached their vertices may have to
@@ -104,52 +103,23 @@ void SiteDistances::forget(std::span<const int> labels) {
 
 bool SiteDistances::step(long& budget) {
   return sequence_.run(
-      [&] { return edgeBounds_.step(budget); },
-      [&] {
-        if (spread_->dependsOnEdgeBounds()) restartOutdated();
-        orderLabels();
-      },
-      [&] {
-        return loop_.run(change_.resetVertices.size(), budget, kQuickRounds, [&](int i) {
-          const int v = change_.resetVertices[i];
-          bounds_[v].distance = edgeBounds_[v];
-        });
-      },
-      [&] {
-        return loop_.run(edgeBounds_.changed().size(), budget, kQuickRounds,
-                         [&](int i) { resetBound(edgeBounds_.changed()[i]); });
-      },
-      [&] { startTurns(); }, [&] { return spread(budget); }, [&] { known_.start(change_); },
-      [&] { return known_.step(budget); });
+      // 1. Bounds, and which labels start or resume because of them.
+      [&] { return edgeBounds_.step(budget); }, [&] { restartOutdated(); }, [&] { orderLabels(); },
+      // 2. Spread.
+      [&] { lowering_.start(change_); }, [&] { return lowering_.step(budget); },
+      // 3. Known labels.
+      [&] { known_.start(change_); }, [&] { return known_.step(budget); });
 }
 
 double SiteDistances::progress() const {
   constexpr double kShareOfSpread = 0.6;
-  return hasSpread_ ? kShareOfSpread + (1 - kShareOfSpread) * known_.progress()
-                    : kShareOfSpread * turns_.progress();
+  return kShareOfSpread * lowering_.progress() + (1 - kShareOfSpread) * known_.progress();
 }
 
-void SiteDistances::startTurns() {
-  bounded_ = change_.resetVertices;
-  edgeBounds_.clearChanged();
-  turns_.clear();
-  for (const int label : change_.started) turns_.addStart(label);
-  for (const int label : change_.resumed) {
-    lowerBy(label);
-    turns_.addResume(label);
-  }
-}
-
-bool SiteDistances::spread(long& budget) {
-  do {
-    if (!turns_.step(budget)) return false;
-    hasSpread_ = true;
-  } while (requireMissed());
-  return true;
-}
-
-/// Starts the labels again that have reached a vertex whose edge bound has changed.
+/// Starts the labels again that have reached a vertex whose edge bound has changed, if their
+/// distances depend on it.
 void SiteDistances::restartOutdated() {
+  if (!spread_->dependsOnEdgeBounds()) return;
   if (sites_.count() == static_cast<int>(change_.started.size())) return;
   std::vector<int> outdated;
   for (const int v : edgeBounds_.changed())
@@ -170,58 +140,6 @@ void SiteDistances::orderLabels() {
   makeSet(change_.resumed);
   std::erase_if(change_.resumed,
                 [&](int label) { return !sites_.contains(label) || change_.hasStarted[label]; });
-}
-
-/// Where a path along edges is now shorter than the owner's distance, the owner is dropped: which
-/// labels reach the new bound must not depend on earlier changes.
-void SiteDistances::resetBound(int v) {
-  if (bounds_.ties().isAtMost(bounds_[v].distance, edgeBounds_[v])) return;
-  bounds_[v] = {-1, edgeBounds_[v]};
-  change_.resetVertices.push_back(v);
-}
-
-/// Lowers the bounds to the distances of a label.
-void SiteDistances::lowerBy(int label) {
-  for (const ReachedVertex& r : spread_->reached(label)) bounds_.lower(r.vertex, label, r.distance);
-}
-
-/// Finds vertices where no label has reached the edge bound. In needles, and in faces much longer
-/// than the distance, rounding may make straight paths longer than the path along edges, or lose
-/// them. Requires the label that is nearest by way of a neighbour to go on to each such vertex,
-/// along the edge if need be. False if there are none.
-bool SiteDistances::requireMissed() {
-  for (const Requirement& r : missed_) lowerBy(r.label);
-  missed_.clear();
-  turns_.clear();
-  std::erase_if(bounded_, [&](int v) { return bounds_[v].label >= 0; });
-  for (const int v : bounded_) {
-    bounds_[v] = {};
-    const Requirement nearest = nearestAround(v);
-    if (nearest.label < 0) continue;
-    missed_.push_back(nearest);
-    if (!change_.hasStarted[nearest.label]) change_.resumed.push_back(nearest.label);
-  }
-  makeSet(change_.resumed);
-  turns_.addRequired(missed_);
-  return !turns_.isEmpty();
-}
-
-/// The label by which a path over a neighbour and the edge to it is shortest, and a face beside
-/// that edge; -1 if the neighbours have no labels.
-Requirement SiteDistances::nearestAround(int vertex) const {
-  Requirement nearest = {-1, -1};
-  double least = kInfinity;
-  const auto offer = [&](int neighbour, int side) {
-    const LabelledDistance& there = bounds_[neighbour];
-    if (there.label < 0 || !(there.distance + mesh_.length(side) < least)) return;
-    least = there.distance + mesh_.length(side);
-    nearest = {there.label, TriangleMesh::faceOf(side)};
-  };
-  for (const int h : mesh_.fan(vertex)) {
-    offer(mesh_.tip(h), h);
-    offer(mesh_.tail(TriangleMesh::previous(h)), TriangleMesh::previous(h));
-  }
-  return nearest;
 }
 
 // --- Queries -----------------------------------------------------------------------------------

@@ -9,10 +9,11 @@
 
 #include "base/index_set.h"
 #include "base/sliced_loop.h"
+#include "distance/bounds_lowering.h"
 #include "distance/edge_bounds.h"
 #include "distance/known_labels.h"
+#include "distance/label_change.h"
 #include "distance/label_spread.h"
-#include "distance/label_turns.h"
 #include "distance/nearest_bounds.h"
 #include "distance/reaching_labels.h"
 #include "distance/site_set.h"
@@ -39,7 +40,8 @@ void requireMesh(const TriangleMesh& mesh, const DistanceField& distances);
 ///
 /// 1. *Bounds* (`EdgeBounds`): the length of the shortest path along edges is an upper bound on the
 ///    distance of the nearest site at every vertex.
-/// 2. *Spread* (`LabelTurns`, `LabelSpread`): each label in turn spreads from its site and lowers
+/// 2. *Spread* (`BoundsLowering`, `LabelSpread`): each label in turn spreads from its site and
+/// lowers
 ///    the bounds: with the exact metric while it is nearer than they are, with DGPC as far as the
 ///    edge bounds allow. Other labels limit how far a label spreads, not the distances it finds. So
 ///    after a change, new labels start, and labels that have reached vertices of removed ones
@@ -79,14 +81,8 @@ class SiteDistances final : public DistanceField {
  private:
   class DistancesAtPoints;
   void forget(std::span<const int> labels);
-  void startTurns();
-  bool spread(long& budget);
   void restartOutdated();
   void orderLabels();
-  void resetBound(int vertex);
-  void lowerBy(int label);
-  bool requireMissed();
-  Requirement nearestAround(int vertex) const;
   bool isKnownAround(int label, const SurfacePoint& p) const;
 
   const TriangleMesh& mesh_;
@@ -96,17 +92,13 @@ class SiteDistances final : public DistanceField {
   NearestBounds bounds_;
   std::unique_ptr<LabelSpread> spread_;
   ReachingLabels reaching_;
+  BoundsLowering lowering_;
   KnownLabels known_;
 
   // The current change.
   SlicedSequence sequence_;
-  SlicedLoop loop_;
   LabelChange change_;
-  LabelTurns turns_;
-  bool hasSpread_ = true;            ///< whether all labels have; only missed vertices are left
-  std::vector<int> bounded_;         ///< vertices limited by paths along edges alone
-  std::vector<Requirement> missed_;  ///< of labels that go on to such vertices
-  IndexSet forgottenAt_;             ///< vertices where a label was forgotten
+  IndexSet forgottenAt_;  ///< vertices where a label was forgotten
 };
 
 }  // namespace gvd

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "base/sliced_loop.h"
+#include "distance/edge_bounds.h"
+#include "distance/label_change.h"
+#include "distance/label_spread.h"
+#include "distance/label_turns.h"
+#include "distance/nearest_bounds.h"
+#include "gvd/triangle_mesh.h"
+
+namespace gvd {
+
+/// Lets labels spread, one after another, until the bound at every vertex that sites reach is the
+/// distance of a label. Bounds begin with the lengths of paths along edges.
+class BoundsLowering {
+ public:
+  /// All arguments must outlive this.
+  BoundsLowering(const TriangleMesh& mesh, LabelSpread& spread, EdgeBounds& edgeBounds,
+                 NearestBounds& bounds)
+      : mesh_(mesh), edgeBounds_(edgeBounds), bounds_(bounds), spread_(spread), turns_(spread) {}
+
+  /// Forgets the previous change.
+  void beginChange();
+  /// Begins to lower the bounds, once the edge bounds are up to date. Adds to the change, which
+  /// must outlive the work, the vertices where the owner exceeds the edge bound, and the labels
+  /// that resume to reach vertices that no other label has reached.
+  void start(LabelChange& change);
+  /// Works on at most `budget` units and lowers it by their number; true when the bounds are
+  /// distances.
+  bool step(long& budget);
+  double progress() const { return hasSpread_ ? 1 : turns_.progress(); }
+
+ private:
+  void resetBound(int vertex);
+  void startTurns();
+  bool spread(long& budget);
+  void lowerBy(int label);
+  bool requireMissed();
+  Requirement nearestAround(int vertex) const;
+
+  const TriangleMesh& mesh_;
+  EdgeBounds& edgeBounds_;
+  NearestBounds& bounds_;
+  const LabelSpread& spread_;
+
+  // The current change.
+  LabelChange* change_ = nullptr;
+  SlicedSequence sequence_;
+  SlicedLoop loop_;
+  LabelTurns turns_;
+  bool hasSpread_ = true;            ///< whether all labels have; only missed vertices are left
+  std::vector<int> bounded_;         ///< vertices limited by paths along edges alone
+  std::vector<Requirement> missed_;  ///< of labels that go on to such vertices
+};
+
+}  // namespace gvd

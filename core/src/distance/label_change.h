@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+namespace gvd {
+
+/// What a change of sites means for labels.
+struct LabelChange {
+  std::vector<int> started;        ///< labels that spread from their sites
+  std::vector<int> resumed;        ///< labels that spread on from where they had stopped
+  std::vector<char> hasStarted;    ///< per label
+  std::vector<int> resetVertices;  ///< the owner was removed or exceeds the edge bound
+};
+
+}  // namespace gvd
