@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "gvd/geodesic.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
+#include "mesh/face_layout.h"
 #include "mesh/representations.h"
 
 namespace gvd {
@@ -18,6 +20,17 @@ SurfacePoint pointOnHalfedge(const TriangleMesh& mesh, int halfedge, double alon
 
 /// The length of the straight piece between two points of one face; infinity if no face has both.
 double lengthBetween(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b);
+
+/// An upper bound on the distance of a point: the length of the shortest path over a corner of the
+/// face that it is given in. `distanceAt(vertex)` is the distance of a corner.
+template <class DistanceAt>
+double distanceOverCorners(const TriangleMesh& mesh, const SurfacePoint& p, DistanceAt distanceAt) {
+  const TriangleMesh::Face& face = mesh.face(p.face);
+  double least = kInfinity;
+  for (int i = 0; i < 3; ++i)
+    least = std::min(least, distanceAt(face.vertices[i]) + wayToCorner(face, p.bary, i).norm());
+  return least;
+}
 
 /// A corner of the faces that have a point, and the length of the path from the point over it.
 struct CornerOnPath {

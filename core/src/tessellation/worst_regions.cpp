@@ -14,6 +14,7 @@
 #include "diagram/diagram_pieces.h"
 #include "diagram/given_diagram.h"
 #include "distance/labelled_distances.h"
+#include "distance/path_points.h"
 #include "distance/site_distances.h"
 #include "gvd/dynamic_diagram.h"
 #include "gvd/sampling.h"
@@ -60,17 +61,6 @@ double areaOfCell(const TriangleMesh& mesh, const Diagram& diagram, int cell) {
   for (int i = 2; i < static_cast<int>(points.size()); ++i)
     share += areaShare(at(0), at(i - 1), at(i));
   return std::max(0.0, share) * mesh.faceArea(face);
-}
-
-/// An upper bound on the distance of a point from the nearest site: the least distance over a
-/// corner of its face.
-double distanceAtMost(const TriangleMesh& mesh, const DistanceField& distances,
-                      const SurfacePoint& p) {
-  double least = kInfinity;
-  for (int i = 0; i < 3; ++i)
-    least = std::min(least, nearestOf(distances.at(mesh.tail(3 * p.face + i))).distance +
-                                wayToCorner(mesh.face(p.face), p.bary, i).norm());
-  return least;
 }
 
 }  // namespace
@@ -143,8 +133,9 @@ SurfacePoint WorstRegions::point() const {
   for (int v = 0; v < mesh_.vertexCount(); ++v)
     if (const LabelledDistance d = nearestOf(distances_.at(v)); d.label == label)
       offer(pointAtVertex(mesh_, v), d.distance);
+  const auto nearestAt = [&](int v) { return nearestOf(distances_.at(v)).distance; };
   for (const SurfacePoint& p : worst->outline)
-    if (distanceAtMost(mesh_, distances_, p) > most) offer(p, distances_.nearest(p).distance);
+    if (distanceOverCorners(mesh_, p, nearestAt) > most) offer(p, distances_.nearest(p).distance);
   return farthest;
 }
 

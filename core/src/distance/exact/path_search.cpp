@@ -11,9 +11,9 @@
 #include "distance/exact/window_path.h"
 #include "distance/exact/window_sweep.h"
 #include "distance/nearest_bounds.h"
+#include "distance/path_points.h"
 #include "distance/site_set.h"
 #include "gvd/geodesic.h"
-#include "mesh/face_layout.h"
 #include "mesh/given_points.h"
 #include "mesh/representations.h"
 
@@ -84,11 +84,7 @@ class PathSearch final : public SlicedWork<std::vector<SurfacePoint>> {
   double mostByEdges() const {
     const int vertex = vertexAt(mesh_, from_);
     if (vertex >= 0) return edgeBounds_[vertex];
-    double least = kInfinity;
-    for (int i = 0; i < 3; ++i)
-      least = std::min(least, edgeBounds_[mesh_.tail(3 * from_.face + i)] +
-                                  wayToCorner(mesh_.face(from_.face), from_.bary, i).norm());
-    return least;
+    return distanceOverCorners(mesh_, from_, [&](int v) { return edgeBounds_[v]; });
   }
 
   /// Searches for paths of at most this length.
