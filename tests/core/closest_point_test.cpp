@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "error_checks.h"
 #include "gvd/error.h"
 #include "mesh/nearest_on_triangle.h"
 #include "shapes.h"
@@ -12,6 +13,7 @@
 namespace gvd {
 namespace {
 
+using checks::errorOf;
 using Eigen::Vector3d;
 
 Vector3d randomPlace(shapes::Random& random, double radius) {
@@ -72,15 +74,9 @@ TEST(ClosestPointQuery, RefusesWhatHasNoDistance) {
   const TriangleMesh mesh = shapes::icosphere(1).mesh();
   const ClosestPointQuery query(mesh);
   EXPECT_NEAR(query.closestTo({1e100, 0, 0}).distance, 1e100, 1e88);
-  for (const double x : {std::numeric_limits<double>::quiet_NaN(),
-                         std::numeric_limits<double>::infinity(), -1e300}) {
-    try {
-      query.closestTo({0, x, 0});
-      FAIL() << x;
-    } catch (const Error& e) {
-      EXPECT_EQ(e.code(), ErrorCode::kInvalidPoint);
-    }
-  }
+  for (const double x :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), -1e300})
+    errorOf([&] { query.closestTo({0, x, 0}); }, ErrorCode::kInvalidPoint);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "diagram_checks.h"
+#include "error_checks.h"
 #include "gvd/dynamic_diagram.h"
 #include "gvd/error.h"
 #include "gvd/partition.h"
@@ -21,6 +22,7 @@
 namespace gvd {
 namespace {
 
+using checks::errorOf;
 using checks::PolygonSurface;
 using checks::trace;
 using Eigen::Vector3d;
@@ -449,13 +451,9 @@ TEST(Repair, AddsNothingToWhatIsValid) {
 TEST(Repair, SaysWhatIsLeftWhereItMayNotAddMore) {
   const auto mesh = shapes::torus(24, 12).mesh();
   const std::vector<SurfacePoint> sites = {centroid(0)};
-  try {
-    repair(mesh, sites, Metric::kExact, {.maxAdded = 1});
-    FAIL();
-  } catch (const Error& e) {
-    EXPECT_EQ(e.code(), ErrorCode::kTooFewSites);
-    EXPECT_NE(std::string(e.what()).find("may be added: region"), std::string::npos) << e.what();
-  }
+  const std::string error = errorOf([&] { repair(mesh, sites, Metric::kExact, {.maxAdded = 1}); },
+                                    ErrorCode::kTooFewSites);
+  EXPECT_NE(error.find("may be added: region"), std::string::npos) << error;
   const std::vector<SurfacePoint> twice = {centroid(0), centroid(0)};
   EXPECT_THROW(repair(mesh, twice, Metric::kExact), Error);
 }
@@ -469,14 +467,9 @@ TEST(Repair, SaysThatSitesDoNotHelpAlongAnEdgeThatIsCut) {
   const auto mesh = shape.mesh();
   ASSERT_EQ(mesh.repairs().nonManifoldEdges, 1);
   const std::vector<SurfacePoint> sites = {centroid(2)};
-  try {
-    repair(mesh, sites, Metric::kExact, {.maxAdded = 4000});
-    FAIL();
-  } catch (const Error& e) {
-    EXPECT_EQ(e.code(), ErrorCode::kTooFewSites);
-    EXPECT_NE(std::string(e.what()).find("triangles are too long: site"), std::string::npos)
-        << e.what();
-  }
+  const std::string error = errorOf(
+      [&] { repair(mesh, sites, Metric::kExact, {.maxAdded = 4000}); }, ErrorCode::kTooFewSites);
+  EXPECT_NE(error.find("triangles are too long: site"), std::string::npos) << error;
 }
 
 /// The only triangle's middle is where the first site is.

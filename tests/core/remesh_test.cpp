@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "diagram_checks.h"
+#include "error_checks.h"
 #include "gvd/cvt.h"
 #include "gvd/dual.h"
 #include "gvd/error.h"
@@ -20,6 +21,7 @@
 namespace gvd {
 namespace {
 
+using checks::errorOf;
 using Eigen::Vector3d;
 
 Vector3d randomPoint(shapes::Random& random) {
@@ -171,12 +173,7 @@ TEST(Remesh, HasAValidDualAndKeepsLabelsAndFixedSites) {
 TEST(Remesh, RefusesWhatTakesMoreSitesThanAllowed) {
   const TriangleMesh mesh = shapes::icosphere(1).mesh();
   const std::vector<SurfacePoint> sites = {mesh.fromInputVertex(0), mesh.fromInputVertex(3)};
-  try {
-    remesh(mesh, sites, {.maxAdded = 1});
-    ADD_FAILURE() << "two sites have a valid dual";
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::kTooFewSites);
-  }
+  errorOf([&] { remesh(mesh, sites, {.maxAdded = 1}); }, ErrorCode::kTooFewSites);
   EXPECT_THROW(remesh(mesh, sites, {.maxAdded = -1}), Error);
 }
 

@@ -12,11 +12,14 @@
 #include <span>
 #include <vector>
 
+#include "error_checks.h"
 #include "gvd/error.h"
 #include "shapes.h"
 
 namespace gvd {
 namespace {
+
+using checks::errorOf;
 
 bool samePoint(const SurfacePoint& p, const SurfacePoint& q) {
   return p.face == q.face && p.bary == q.bary;
@@ -444,14 +447,8 @@ TEST(CoverComponents, KeepsLabelsWithoutSite) {
 
 TEST(CoverComponents, RejectsCountsThatDoNotSuffice) {
   const TriangleMesh mesh = sixComponents();
-  try {
-    coverComponents(mesh, {}, 2, 11, 1);
-    ADD_FAILURE() << "no error";
-  } catch (const Error& error) {
-    EXPECT_STREQ(
-        error.what(),
-        "2 per component, of which the mesh has 6, makes 12 sites, more than the 11 in all");
-  }
+  EXPECT_EQ(errorOf([&] { coverComponents(mesh, {}, 2, 11, 1); }, ErrorCode::kInvalidArgument),
+            "2 per component, of which the mesh has 6, makes 12 sites, more than the 11 in all");
   EXPECT_THROW(coverComponents(mesh, {}, -1, 11, 1), Error);
   EXPECT_THROW(coverComponents(mesh, {}, 2147483647, 2147483647, 1), Error);
 }

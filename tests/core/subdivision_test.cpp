@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "error_checks.h"
 #include "gvd/diagram.h"
 #include "gvd/error.h"
 #include "gvd/geodesic.h"
@@ -18,6 +19,7 @@
 namespace gvd {
 namespace {
 
+using checks::errorOf;
 using Eigen::Vector3d;
 using shapes::Shape;
 
@@ -164,29 +166,24 @@ TEST(Subdivision, HelpsAsTheAccuracyProposes) {
 
 TEST(Subdivision, RejectsWhatItCannotDo) {
   const Shape shape = shapes::grid(2, 2);
-  const auto expectError = [&](SubdivisionOptions options, const char* what) {
-    try {
-      subdivide(shape.positions, shape.triangles, options);
-      FAIL() << what;
-    } catch (const Error& error) {
-      EXPECT_EQ(error.code(), ErrorCode::kInvalidArgument);
-      EXPECT_STREQ(error.what(), what);
-    }
+  const auto error = [&](SubdivisionOptions options) {
+    return errorOf([&] { subdivide(shape.positions, shape.triangles, options); },
+                   ErrorCode::kInvalidArgument);
   };
-  expectError({.maxEdge = 0}, "maxEdge is 0, not above 0 and at most 1");
-  expectError({.maxEdge = std::numeric_limits<double>::quiet_NaN()},
-              "maxEdge is nan, not above 0 and at most 1");
-  expectError({.maxEdge = 0.1, .maxTriangles = 0}, "maxTriangles is 0, not positive");
-  expectError({.maxEdge = 0.1, .maxTriangles = 40},
-              "with maxEdge 0.1 there would be more than 40 triangles");
-  expectError({.maxEdge = 1e-300},
-              "with maxEdge 1e-300 there would be more than 16777216 triangles");
-  try {
-    subdivide(shape.positions, {0, 1, 9}, {.maxEdge = 0.1});
-    FAIL() << "a vertex that does not exist";
-  } catch (const Error& error) {
-    EXPECT_STREQ(error.what(), "triangle 0 has vertex index 9, but there are 9 vertices");
-  }
+  EXPECT_EQ(error({.maxEdge = 0}), "maxEdge is 0, not above 0 and at most 1");
+  EXPECT_EQ(error({.maxEdge = std::numeric_limits<double>::quiet_NaN()}),
+            "maxEdge is nan, not above 0 and at most 1");
+  EXPECT_EQ(error({.maxEdge = 0.1, .maxTriangles = 0}), "maxTriangles is 0, not positive");
+  EXPECT_EQ(error({.maxEdge = 0.1, .maxTriangles = 40}),
+            "with maxEdge 0.1 there would be more than 40 triangles");
+  EXPECT_EQ(error({.maxEdge = 1e-300}),
+            "with maxEdge 1e-300 there would be more than 16777216 triangles");
+  EXPECT_EQ(errorOf(
+                [&] {
+                  subdivide(shape.positions, {0, 1, 9}, {.maxEdge = 0.1});
+                },
+                ErrorCode::kInvalidMesh),
+            "triangle 0 has vertex index 9, but there are 9 vertices");
 }
 
 }  // namespace
