@@ -41,11 +41,10 @@ void requireMesh(const TriangleMesh& mesh, const DistanceField& distances);
 /// 1. *Bounds* (`EdgeBounds`): the length of the shortest path along edges is an upper bound on the
 ///    distance of the nearest site at every vertex.
 /// 2. *Spread* (`BoundsLowering`, `LabelSpread`): each label in turn spreads from its site and
-/// lowers
-///    the bounds: with the exact metric while it is nearer than they are, with DGPC as far as the
-///    edge bounds allow. Other labels limit how far a label spreads, not the distances it finds. So
-///    after a change, new labels start, and labels that have reached vertices of removed ones
-///    resume from where they stopped.
+///    lowers the bounds: with the exact metric while it is nearer than they are, with DGPC as far
+///    as the edge bounds allow. Other labels limit how far a label spreads, not the distances it
+///    finds. So after a change, new labels start, and labels that have reached vertices of removed
+///    ones resume from where they stopped.
 /// 3. *Known labels* (`KnownLabels`): adds the distances that a diagram needs at vertices owned by
 ///    other labels.
 class SiteDistances final : public DistanceField {
