@@ -62,7 +62,8 @@ suite('files', () => {
       '{': 'cannot be opened as sites: it is no JSON that can be read: ',
       '{"position": null}': 'cannot be opened as sites: points.position is null, ',
       '{"face": [1]}': 'cannot be opened as sites: there are no points: ',
-      '{"face": [1], "bary": [1, 0]}': 'cannot be opened as sites: points.bary has 2 numbers: ',
+      '{"face": [1], "bary": [1, 0]}':
+        'cannot be opened as sites: points.bary has length 2, not 3: ',
       '{"face": [999999], "bary": [1, 0, 0]}':
         'cannot be opened as sites: point 0: there is no triangle 999999.',
       '{"mesh": {"faces": 12}, "face": [1], "bary": [1, 0, 0]}':

@@ -287,6 +287,6 @@ suite('hands', () => {
       (viewer, detail) => viewer.dispatchEvent(new CustomEvent('load', { detail })),
       detail,
     );
-    await viewer.page.locator('#note-text', { hasText: '1.6 GB' }).waitFor();
+    await viewer.page.locator('#note-text', { hasText: '1.4 GB' }).waitFor();
   });
 });
