@@ -52,8 +52,8 @@ const neededByNothing = {
 
 /**
  * Modules of three.js that its renderer makes or names, but that do nothing here: virtual reality,
- * shadows, morph targets, light probes, passes after the picture, uniforms in groups. Stubs replace them, with
- * just the members that the renderer uses in any case.
+ * shadows, morph targets, light probes, passes after the picture, uniforms in groups. Stubs replace
+ * them, with just the members that the renderer uses in any case.
  */
 const idleModules = {
   'extras/PMREMGenerator.js': 'export class PMREMGenerator {}',

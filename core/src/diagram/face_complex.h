@@ -75,7 +75,7 @@ class FaceComplex {
   bool isPart() const { return !indexInPart_.empty(); }
 
   const TriangleMesh& mesh_;
-  const bool hasOwnElements_;  ///< false: the elements are the faces of the mesh, and its arrays
+  const bool hasOwnElements_;  ///< false: the elements are the faces of the mesh
   NodeLabels nodes_;
   Elements elements_;  ///< these two are empty without elements of its own
   ElementTwins twins_;

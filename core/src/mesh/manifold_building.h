@@ -34,7 +34,7 @@ class HalfedgeMatching {
 
   SlicedSequence sequence_;
   Grouping byLowerEnd_;
-  std::vector<KeyedItem> byHigherEnd_;  ///< halfedges with one lower end; one key is enough
+  std::vector<KeyedItem> byHigherEnd_;  ///< halfedges of one lower end; no second key
 };
 
 /// The component of each triangle, and which triangles were turned over.
