@@ -5,6 +5,7 @@
 import type { CvtMethod, CvtState, Mesh, Metric } from 'geodesic-voronoi';
 import type { PrepareDiagram, PreparedDiagram } from './diagram_geometry.js';
 import { nextFrame } from './next_frame.js';
+import { shallowEqual } from './shallow_equal.js';
 import { type Sites, surfacePointsOf } from './site_history.js';
 
 /** How sites move to the centroids of their regions; see `CvtOptions` of the library. */
@@ -80,8 +81,7 @@ export class CvtRun {
   }
 
   hasSettings(settings: CvtSettings): boolean {
-    const names = Object.keys(settings) as (keyof CvtSettings)[];
-    return names.every((name) => settings[name] === this.#settings[name]);
+    return shallowEqual(settings, this.#settings);
   }
 
   get playing(): boolean {

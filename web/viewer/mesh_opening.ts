@@ -14,6 +14,7 @@ import { DrawingBuilder } from './drawing_builder.js';
 import { sentence } from './failure.js';
 import { lastSegment, type NamedFiles } from './model_files.js';
 import { SceneMesh } from './scene_mesh.js';
+import { shallowEqual } from './shallow_equal.js';
 import type { PointList, Tints } from './site_history.js';
 
 /** How sites are sampled, by default as the library does. */
@@ -121,7 +122,7 @@ async function firstSites(
     const wanted = siteSampling();
     const sites = await (keptSites(mesh, kept, task) ?? sampleSites(mesh, wanted, task));
     await rest;
-    if (JSON.stringify(siteSampling()) === JSON.stringify(wanted)) return sites;
+    if (shallowEqual(siteSampling(), wanted)) return sites;
   }
 }
 

@@ -2,13 +2,14 @@
 //
 // The state of a viewer: model, sites, diagram, tessellation, history.
 
-import type { Mesh, Metric } from 'geodesic-voronoi';
-import { type PreparedIteration, CvtRun, type CvtSettings } from './cvt_run.js';
+import type { Mesh } from 'geodesic-voronoi';
+import { CvtPlayer } from './cvt_player.js';
+import type { CvtSettings } from './cvt_run.js';
 import type { PrepareDiagram } from './diagram_geometry.js';
 import type { FailureType } from './events.js';
 import { sentence } from './failure.js';
-import { LatestTask } from './latest_task.js';
 import { LibraryLease } from './library_pool.js';
+import { LiveDiagram } from './live_diagram.js';
 import {
   type OpenedMesh,
   type Opening,
@@ -19,16 +20,8 @@ import {
 } from './mesh_opening.js';
 import { RestartableTask } from './restartable_task.js';
 import type { CvtStatus, SessionListener, Status } from './session_listener.js';
+import type { DiagramRequest, DiagramSettings, ShownDiagram } from './shown_diagram.js';
 import {
-  changeDiagram,
-  computeDiagram,
-  type DiagramRequest,
-  type DiagramSettings,
-  shownDiagram,
-  type ShownDiagram,
-} from './shown_diagram.js';
-import {
-  placeOf,
   type PointList,
   SiteHistory,
   type SitePlace,
@@ -43,28 +36,32 @@ import { without } from './site_step.js';
  * diagram. After a change of one site, only its surroundings are computed.
  */
 export class Session {
-  readonly #prepare: PrepareDiagram;
   readonly #listener: SessionListener;
   readonly #onProgress = (share: number) => this.#listener.progressed(share);
   readonly #history = new SiteHistory();
+  readonly #diagram: LiveDiagram;
+  readonly #cvt: CvtPlayer;
   readonly #opening = new RestartableTask();
   readonly sampling = new RestartableTask();
-  readonly #task = new LatestTask<DiagramRequest>(this.#compute.bind(this));
-  #settings: DiagramSettings;
   #lease: LibraryLease | undefined;
-  #mesh: Mesh | undefined;
-  #shown: ShownDiagram | undefined;
-  #cvt: CvtRun | undefined;
-  #cvtStatus: CvtStatus = 'idle';
-  #computing = false;
   #hasFailed = false;
   #status: Status = 'empty';
+  #cvtStatus: CvtStatus = 'idle';
 
   /** `prepare` gets diagrams of the present model. */
   constructor(settings: DiagramSettings, prepare: PrepareDiagram, listener: SessionListener) {
-    this.#settings = settings;
-    this.#prepare = prepare;
     this.#listener = listener;
+    this.#diagram = new LiveDiagram(settings, prepare, listener, {
+      computingChanged: () => this.#updateStatus(),
+      failed: (request, error) => this.#requestFailed(request, error),
+    });
+    this.#cvt = new CvtPlayer(this.#history, this.#diagram, prepare, listener, {
+      statusChanged: () => this.#updateStatus(),
+      failed: (error) => {
+        this.#fail(sentence('The sites cannot be moved', error));
+        this.#request();
+      },
+    });
   }
 
   get status(): Status {
@@ -72,11 +69,11 @@ export class Session {
   }
 
   get mesh(): Mesh | undefined {
-    return this.#mesh;
+    return this.#diagram.mesh;
   }
 
   get shown(): ShownDiagram | undefined {
-    return this.#shown;
+    return this.#diagram.shown;
   }
 
   get sites(): Sites {
@@ -109,16 +106,13 @@ export class Session {
   }
 
   configure(settings: DiagramSettings): void {
-    const { metric, detail } = this.#settings;
-    if (settings.metric === metric && settings.detail === detail) return;
-    this.#settings = settings;
     // A tessellation under way has its own diagrams; after its pause one has these settings.
-    if (!this.#cvt?.playing) this.#request();
+    if (this.#diagram.configure(settings) && !this.#cvt.isPlaying) this.#request();
   }
 
   /** Replaces the sites by new ones in new places; resolves to whether they are there now. */
   async sampleSites(siteSampling: SiteSampling): Promise<boolean> {
-    const mesh = this.#mesh;
+    const { mesh } = this;
     if (!mesh) return false;
     return this.#outcome(this.sampling, 'computefailure', async (signal) => {
       const task = { signal, onProgress: this.#onProgress };
@@ -134,21 +128,21 @@ export class Session {
     failure: FailureType,
     work: (signal: AbortSignal) => Promise<void>,
   ): Promise<boolean> {
-    const mesh = this.#mesh;
+    const { mesh } = this;
     const outcome = task.run(work);
     this.#updateStatus();
     const isDone = await outcome.catch((error) => {
       this.#fail(error, failure);
       return false;
     });
-    if (!isDone && mesh && mesh === this.#mesh && !task.isRunning)
-      this.#listener.settingsRestored(this.#settings);
+    if (!isDone && mesh && mesh === this.mesh && !task.isRunning)
+      this.#listener.settingsRestored(this.#diagram.settings);
     this.#updateStatus();
     return isDone;
   }
 
   replaceSites(sites: PointList): void {
-    if (this.#mesh) this.#record(this.#history.createAll(sites));
+    if (this.mesh) this.#record(this.#history.createAll(sites));
   }
 
   /** Returns the identity of the new site. */
@@ -167,14 +161,14 @@ export class Session {
   /** Moves a site, if it is there; all moves until `endMove` are one step to undo, or still the last. */
   moveSite(id: number, place: SitePlace, isSameStep = false): void {
     if (!this.#history.move(id, place, isSameStep)) return;
-    this.#stopCvt();
+    this.#cvt.stop();
     this.#listener.sitesChanged();
-    this.#request({ patient: true });
+    this.#diagram.request(this.sites, { patient: true });
   }
 
   endMove(): void {
     this.#history.endMove();
-    this.#task.hurry();
+    this.#diagram.hurry();
   }
 
   /** Puts a site that is being moved back to where it was. */
@@ -192,73 +186,57 @@ export class Session {
 
   /** Records a painted density, a step to undo. Ends a tessellation; the next one uses it. */
   recordDensity(tints: Tints): void {
-    if (!this.#mesh || (!tints && !this.#history.tints)) return;
-    this.#stopCvt();
+    if (!this.mesh || (!tints && !this.#history.tints)) return;
+    this.#cvt.stop();
     this.#history.recordTints(tints);
     this.#listener.sitesChanged();
   }
-
-  // --- Centroidal tessellation ----------------------------------------------------------------
-  // All iterations from the first to the last are one step to undo. Any other change of the sites
-  // ends the tessellation; the next one begins with the sites as they are then.
 
   get cvtStatus(): CvtStatus {
     return this.#cvtStatus;
   }
 
-  /** Goes on to the next multiple of so many iterations. */
+  /** Moves the sites to the centroids of their regions, up to the next multiple of so many iterations. */
   playCvt(iterations: number, settings: CvtSettings): void {
-    this.#playCvt(settings, (done) => (Math.floor(done / iterations) + 1) * iterations);
+    this.#cvt.play(settings, (done) => (Math.floor(done / iterations) + 1) * iterations);
   }
 
   /** Pauses after the next iteration. */
   stepCvt(settings: CvtSettings): void {
-    this.#playCvt(settings, (done) => done + 1);
+    this.#cvt.play(settings, (done) => done + 1);
   }
 
   pauseCvt(): void {
-    this.#cvt?.pause();
+    this.#cvt.pause();
   }
 
-  /** Back to the sites from before. */
+  /** Back to the sites from before the tessellation. */
   resetCvt(): void {
-    if (!this.#cvt) return;
-    const hasMoved = this.#cvt.iteration > 0;
-    this.#stopCvt();
-    if (hasMoved) this.#history.undo();
-    this.#sitesReplaced();
+    if (this.#cvt.reset()) this.#sitesReplaced();
   }
 
   /** Gives up what is under way. */
   cancel(): void {
     this.#opening.cancel();
     this.sampling.cancel();
-    if (this.#cvt?.playing) this.#cvt.pause();
-    else this.#task.cancel();
+    if (this.#cvt.isPlaying) this.#cvt.pause();
+    else this.#diagram.cancel();
     this.#updateStatus();
   }
 
   dispose(): void {
-    this.#stopCvt();
+    this.#cvt.stop();
     this.cancel();
-    this.#shown?.diagram?.dispose();
-    this.#shown = undefined;
-    this.#mesh?.dispose();
-    this.#mesh = undefined;
+    this.#diagram.mesh = undefined;
     this.#lease?.release();
     this.#lease = undefined;
   }
 
   #adopt(opened: OpenedMesh): void {
-    const { mesh } = opened;
     const sites = this.#history.createAll(opened.sites);
-    this.#stopCvt();
+    this.#cvt.stop();
     this.sampling.cancel();
-    this.#task.cancel();
-    this.#shown?.diagram?.dispose();
-    this.#mesh?.dispose();
-    this.#shown = undefined;
-    this.#mesh = mesh;
+    this.#diagram.mesh = opened.mesh;
     this.#history.reset(sites, opened.tints);
     this.#listener.modelChanged(opened);
     // Sites that a listener has set for the new model are no step: there is nothing to undo.
@@ -270,7 +248,7 @@ export class Session {
   /** A step back or forth: it changes the sites or the density. */
   #step(take: () => void): void {
     const { present: sites, tints } = this.#history;
-    this.#stopCvt();
+    this.#cvt.stop();
     take();
     if (this.#history.tints !== tints) this.#listener.densityChanged(this.#history.tints);
     this.#listener.sitesChanged();
@@ -278,7 +256,7 @@ export class Session {
   }
 
   #record(sites: Sites): void {
-    this.#stopCvt();
+    this.#cvt.stop();
     this.#history.record(sites);
     this.#sitesReplaced();
   }
@@ -288,129 +266,26 @@ export class Session {
     this.#request();
   }
 
-  #request(options?: { patient: boolean }): void {
-    if (!this.#mesh) return;
-    this.#computing = true;
-    this.#updateStatus();
-    this.#task.request({ ...this.#settings, sites: this.sites }, options);
+  #request(): void {
+    this.#diagram.request(this.sites);
   }
 
-  async #compute(wanted: DiagramRequest, signal: AbortSignal): Promise<void> {
-    const mesh = this.#mesh;
-    const before = this.#shown;
-    const start = performance.now();
-    try {
-      const changes = await changeDiagram(before, wanted);
-      const diagram = changes
-        ? before?.diagram
-        : await computeDiagram(mesh, wanted, { signal, onProgress: this.#onProgress });
-      const milliseconds = performance.now() - start;
-      const isAnew = diagram && !changes && mesh === this.#mesh;
-      const prepared = isAnew ? await this.#prepare(diagram.data, wanted.sites) : undefined;
-      // An iteration of a tessellation may have been shown meanwhile.
-      if (!mesh || mesh !== this.#mesh || (changes && before !== this.#shown)) {
-        diagram?.dispose();
-        return;
-      }
-      if (!changes && signal.aborted) {
-        diagram?.dispose();
-        signal.throwIfAborted();
-      }
-      const summary = changes
-        ? changes.reduce((sum, change) => sum?.after(change, wanted.sites.length), before?.summary)
-        : prepared?.summary;
-      const shown = shownDiagram(wanted, diagram, summary);
-      this.#show(shown);
-      this.#listener.diagramChanged(shown, milliseconds, { changes, prepared });
-    } catch (error) {
-      // A request that follows will show the present sites.
-      const isFollowed = this.#task.superseded || this.#cvt?.playing;
-      if (!mesh || mesh !== this.#mesh || isFollowed) return;
-      if (!signal.aborted) this.#fail(sentence('The diagram cannot be made', error));
-      this.#returnToShown(wanted);
-    } finally {
-      this.#computing = this.#task.superseded;
-      this.#updateStatus();
-    }
-  }
-
-  #show(shown: ShownDiagram): void {
-    if (this.#shown?.diagram !== shown.diagram) this.#shown?.diagram?.dispose();
-    this.#shown = shown;
-  }
-
-  #playCvt(settings: CvtSettings, until: (iterationsDone: number) => number): void {
-    if (!this.#mesh || this.sites.length === 0) return;
-    this.#history.endMove();
-    const wanted = { ...settings, metric: this.#settings.metric };
-    if (this.#cvt && (this.#cvt.done || !this.#cvt.hasSettings(wanted))) this.#stopCvt();
-    this.#cvt ??= this.#newCvt(this.#mesh, wanted);
-    this.#cvt.play(until(this.#cvt.iteration));
-    this.#task.cancel();
-    this.#updateStatus();
-  }
-
-  #newCvt(mesh: Mesh, settings: CvtSettings & { metric: Metric }): CvtRun {
-    return new CvtRun(mesh, this.sites, settings, this.#prepare, {
-      iterated: (iteration) => this.#showIteration(iteration, settings.metric),
-      paused: () => this.#rest(),
-      failed: (error) => {
-        this.#stopCvt();
-        this.#fail(sentence('The sites cannot be moved', error));
-        this.#request();
-      },
-    });
-  }
-
-  #showIteration({ state, prepared }: PreparedIteration, metric: Metric): void {
-    if (state.iteration > 0) {
-      const sites = this.sites.map(({ id }, i) => ({ id, ...placeOf(state.sites, i) }));
-      if (state.iteration === 1) this.#history.record(sites);
-      else this.#history.revise(sites);
-      this.#listener.sitesChanged();
-    }
-    const settings = { sites: this.sites, metric, detail: 0 };
-    const shown = shownDiagram(settings, state.diagram, prepared?.summary);
-    this.#show(shown);
-    this.#listener.cvtIterated(shown, state, { prepared });
-  }
-
-  /**
-   * After a pause, the last iteration shown becomes the diagram, without waiting for one under way.
-   * It is computed anew only if its metric or detail differs from those wanted. Before the first
-   * iteration nothing has been drawn, so nobody is told.
-   */
-  #rest(): void {
-    const shown = this.#shown;
-    const { metric, detail } = this.#settings;
-    const isWanted = shown?.metric === metric && shown.detail === detail;
-    if (!shown?.diagram || shown.sites !== this.sites || !isWanted) {
-      this.#request();
-      return;
-    }
-    this.#updateStatus();
-    const { latest } = this.#cvt ?? {};
-    queueMicrotask(() => {
-      if (latest && shown === this.#shown && !this.#cvt?.playing)
-        this.#listener.cvtRested(shown, latest.milliseconds);
-    });
-  }
-
-  #stopCvt(): void {
-    this.#cvt?.stop();
-    this.#cvt = undefined;
-    this.#updateStatus();
+  #requestFailed(request: DiagramRequest, error: unknown): void {
+    if (this.#cvt.isPlaying) return; // its next iteration shows the present sites
+    if (error) this.#fail(sentence('The diagram cannot be made', error));
+    this.#returnToShown(request);
   }
 
   /** Goes back to the shown sites; if no diagram was shown yet, the sites stay without one. */
   #returnToShown(failed: DiagramRequest): void {
-    if (!this.#shown) return;
-    const { sites, metric, detail, diagram } = this.#shown;
-    this.#settings = { metric, detail };
+    const { shown } = this;
+    if (!shown) return;
+    const { sites, diagram } = shown;
+    this.#diagram.configure(shown);
     const { tints } = this.#history;
     this.#history.returnTo(sites);
     if (this.#history.tints !== tints) this.#listener.densityChanged(this.#history.tints);
-    this.#listener.settingsRestored(this.#settings);
+    this.#listener.settingsRestored(this.#diagram.settings);
     this.#listener.sitesChanged();
     // A step that failed has taken the diagram with it.
     if (!diagram && sites.length > 0 && failed.sites !== sites) this.#request();
@@ -429,9 +304,9 @@ export class Session {
 
   #statusNow(): Status {
     if (this.#opening.isRunning) return 'loading';
-    if (this.#cvt?.playing) return 'iterating';
-    if (this.#computing || this.sampling.isRunning) return 'computing';
-    if (this.#mesh) return 'ready';
+    if (this.#cvt.isPlaying) return 'iterating';
+    if (this.#diagram.isComputing || this.sampling.isRunning) return 'computing';
+    if (this.mesh) return 'ready';
     return this.#hasFailed ? 'failed' : 'empty';
   }
 
@@ -441,7 +316,7 @@ export class Session {
       this.#status = status;
       this.#listener.statusChanged(status);
     }
-    const cvtStatus = this.#cvt?.status ?? 'idle';
+    const cvtStatus = this.#cvt.status;
     if (cvtStatus !== this.#cvtStatus) {
       this.#cvtStatus = cvtStatus;
       this.#listener.cvtStatusChanged(cvtStatus);
