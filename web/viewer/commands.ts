@@ -36,24 +36,24 @@ const moveStep = 8;
 const actions: Readonly<Record<Command, (viewer: Viewer) => void>> = {
   undo: ({ session }) => session.undo(),
   redo: ({ session }) => session.redo(),
-  remove: (viewer) => viewer.removeSite(viewer.selected),
+  remove: (viewer) => viewer.removeSite(viewer.selection.index),
   refit: (viewer) => viewer.refit(),
   cancel: (viewer) => viewer.cancel(),
   place: ({ tools }) => tools.useAtCentre(),
   'play-cvt': (viewer) =>
     viewer.session.cvtStatus === 'running' ? viewer.session.pauseCvt() : viewer.playCvt(),
-  'next-site': (viewer) => viewer.selectNext(1),
-  'previous-site': (viewer) => viewer.selectNext(-1),
+  'next-site': ({ selection }) => selection.step(1),
+  'previous-site': ({ selection }) => selection.step(-1),
   'turn-left': ({ stage }) => stage.orbit(-turnStep, 0),
   'turn-right': ({ stage }) => stage.orbit(turnStep, 0),
   'turn-up': ({ stage }) => stage.orbit(0, turnStep),
   'turn-down': ({ stage }) => stage.orbit(0, -turnStep),
   nearer: (viewer) => dolly(viewer, 1 / dollyStep),
   farther: (viewer) => dolly(viewer, dollyStep),
-  'move-left': (viewer) => viewer.nudge(-moveStep, 0),
-  'move-right': (viewer) => viewer.nudge(moveStep, 0),
-  'move-up': (viewer) => viewer.nudge(0, -moveStep),
-  'move-down': (viewer) => viewer.nudge(0, moveStep),
+  'move-left': ({ selection }) => selection.nudge(-moveStep, 0),
+  'move-right': ({ selection }) => selection.nudge(moveStep, 0),
+  'move-up': ({ selection }) => selection.nudge(0, -moveStep),
+  'move-down': ({ selection }) => selection.nudge(0, moveStep),
 };
 
 function dolly({ stage, tools }: Viewer, factor: number): void {

@@ -67,8 +67,6 @@ export class GeodesicVoronoiElement extends ReflectingElement {
   #viewer: Viewer | undefined;
   #stopWatching = () => {};
   #isDismissed = false;
-  /** What the model was read from. */
-  #read: Reader | undefined;
 
   constructor() {
     super();
@@ -198,11 +196,11 @@ export class GeodesicVoronoiElement extends ReflectingElement {
 
   /** The index of the selected site, -1 for none. */
   get selected(): number {
-    return this.#viewer?.selected ?? -1;
+    return this.#viewer?.selection.index ?? -1;
   }
 
   set selected(index: number) {
-    if (this.#viewer) this.#viewer.selected = index;
+    if (this.#viewer) this.#viewer.selection.index = index;
   }
 
   /** The area of every region, by site. `diagram` has it too, but puts all its arrays together. */
@@ -324,11 +322,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
   }
 
   async #open(read: Reader): Promise<boolean> {
-    const before = this.#read;
-    this.#read = read; // now, so that attributes that change meanwhile rebuild this model
-    const isOpen = await this.#started()?.open(read);
-    if (!isOpen && this.#read === read) this.#read = before;
-    return isOpen ?? false;
+    return (await this.#started()?.open(read)) ?? false;
   }
 
   /** The viewer, made now if there is none; undefined outside of documents and without WebGL 2. */
@@ -365,7 +359,6 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     this.#stopWatching();
     this.#viewer?.dispose();
     this.#viewer = undefined;
-    this.#read = undefined;
     this.#shadow?.dispose();
     this.#shadow = undefined;
     this.#isDismissed = false;
@@ -433,7 +426,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
       names.some((name) => changed.has(name)) &&
       (this.attributeValues.differ(names) || viewer.session.status !== 'ready');
     if (changed.has('src') && this.src) void this.load(this.src);
-    else if (this.#read && isNews(buildAttributes)) void viewer.rebuild(this.#read);
+    else if (isNews(buildAttributes)) void viewer.rebuild();
     else if (isNews(samplingAttributes)) void viewer.sampleSites(this.attributeValues.siteSampling);
   }
 }

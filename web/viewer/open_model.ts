@@ -2,12 +2,13 @@
 //
 // The model that is open, with all that the viewer has of it.
 
-import type { DiagramData } from 'geodesic-voronoi';
+import type { DiagramData, Mesh } from 'geodesic-voronoi';
 import { type Camera, Vector3 } from 'three';
 import { DensityPaint } from './density_paint.js';
 import type { PreparedDiagram } from './diagram_geometry.js';
 import { DiagramSummary } from './diagram_summary.js';
 import type { DrawingBuilder } from './drawing_builder.js';
+import { rootDensityIntegral } from './hexagon_energy.js';
 import type { OpenedMesh } from './mesh_opening.js';
 import { ModelDrawing } from './model_drawing.js';
 import type { NamedFiles } from './model_files.js';
@@ -22,8 +23,8 @@ export class OpenModel {
   readonly picker: Picker;
   readonly paint: DensityPaint;
   readonly builder: DrawingBuilder;
-
   readonly files: NamedFiles;
+  #density: { perVertex: Float64Array; rootIntegral: number } | undefined;
 
   constructor({ mesh, scene, builder, files }: OpenedMesh, theme: Theme) {
     this.files = files;
@@ -36,6 +37,21 @@ export class OpenModel {
       this.drawing.front = Math.sign(scene.sixfoldVolume);
     this.picker = new Picker(scene, builder.tree());
     this.paint = new DensityPaint(scene);
+  }
+
+  /** The density ρ per input vertex when painting last came to rest, and ∫ √ρ; undefined if ρ is 1 everywhere. */
+  get density(): { perVertex: Float64Array; rootIntegral: number } | undefined {
+    return this.#density;
+  }
+
+  /** Makes what is painted the density, and draws it. */
+  adoptPaint(mesh: Mesh): void {
+    const perVertex = this.paint.density;
+    this.#density = perVertex && {
+      perVertex,
+      rootIntegral: rootDensityIntegral(mesh, perVertex),
+    };
+    this.drawing.setTints(this.paint.tints);
   }
 
   /** Prepares a diagram for drawing: part of it in the worker, the rest here at the same time. */

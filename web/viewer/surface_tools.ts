@@ -11,6 +11,7 @@ import type { SurfaceHit } from './picking.js';
 import { type GestureTarget, pointerReach } from './pointer_gestures.js';
 import type { Session } from './session.js';
 import type { SitePlace } from './site_history.js';
+import type { SiteSelection } from './site_selection.js';
 import type { Stage } from './stage.js';
 
 /** How far a site can be grasped at most, as a share of the distance to the nearest other one. */
@@ -31,9 +32,8 @@ export interface Workpiece {
   readonly hover: Hover;
   readonly attributes: Attributes;
   readonly model: OpenModel | undefined;
+  readonly selection: SiteSelection;
   addSite(place: SitePlace): void;
-  /** Selects a site by its identity. */
-  select(site: number): void;
   /** Changes the sites; a tessellation that plays goes on with them. */
   edit(change: () => void): void;
   playCvt(): void;
@@ -118,7 +118,7 @@ export class SurfaceTools implements GestureTarget {
   }
 
   select(site: number): void {
-    this.#work.select(site);
+    this.#work.selection.select(site);
   }
 
   beginStroke(x: number, y: number): boolean {

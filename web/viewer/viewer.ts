@@ -3,7 +3,6 @@
 // The content of an element: it connects the session, the scene and the tools.
 
 import type { SurfacePath } from 'geodesic-voronoi';
-import { Vector3 } from 'three';
 import { buildAttributes, samplingAttributes } from './attribute_defaults.js';
 import type { Attributes } from './attribute_values.js';
 import { formatCameraOrbit } from './camera_orbit.js';
@@ -11,7 +10,7 @@ import { commandOf, isOfView, perform } from './commands.js';
 import { DerivedDrawings } from './derived_drawings.js';
 import { Legend } from './legend.js';
 import type { Emit } from './events.js';
-import { hexagonEnergy, rootDensityIntegral } from './hexagon_energy.js';
+import { hexagonEnergy } from './hexagon_energy.js';
 import { Hover, type HoveredPoint } from './hover.js';
 import type { OpenedMesh, Reader, SiteSampling } from './mesh_opening.js';
 import { OpenModel } from './open_model.js';
@@ -22,7 +21,8 @@ import { PointerGestures } from './pointer_gestures.js';
 import { Session } from './session.js';
 import type { Drawable, SessionListener } from './session_listener.js';
 import { drawnDiagram, factsOf, type ShownDiagram } from './shown_diagram.js';
-import { type PointList, type SitePlace, type Sites, surfacePointsOf } from './site_history.js';
+import { type PointList, type SitePlace, surfacePointsOf } from './site_history.js';
+import { SiteSelection } from './site_selection.js';
 import { type ContextListener, SharedRenderer } from './shared_renderer.js';
 import { Stage } from './stage.js';
 import { SurfaceTools, type Workpiece } from './surface_tools.js';
@@ -50,15 +50,13 @@ export class Viewer implements Workpiece {
   readonly scrolling: PageScrolling;
   readonly hint: (sentence: string) => void;
   readonly legend: Legend;
+  readonly selection = new SiteSelection(this, () => this.#showSites());
   readonly #emit: Emit;
   readonly #gestures: PointerGestures;
   readonly #resizing: ResizeObserver;
   #model: OpenModel | undefined;
-  /** The density ρ when painting last came to rest, and ∫ √ρ. */
-  #density: { perVertex: Float64Array; rootIntegral: number } | undefined;
-  #selected: number | undefined;
-  /** The site that `nudge` moved last, and the list of sites after that: any other edit replaces the list. */
-  #nudged: { index: number; sites: Sites } | undefined;
+  /** What the model is read from, also while it is opened. */
+  #read: Reader | undefined;
   /** The time at which an iteration last moved the sites. */
   #lastIteration = 0;
   #gliding = 0;
@@ -125,7 +123,7 @@ export class Viewer implements Workpiece {
 
   /** The density per input vertex when painting last came to rest; undefined if 1 everywhere. */
   get density(): Float64Array | undefined {
-    return this.#density?.perVertex;
+    return this.#model?.density?.perVertex;
   }
 
   set density(density: ArrayLike<number> | undefined) {
@@ -134,33 +132,24 @@ export class Viewer implements Workpiece {
     this.recordDensity();
   }
 
-  /** The index of the selected site, -1 for none. */
-  get selected(): number {
-    return this.session.sites.findIndex((site) => site.id === this.#selected);
-  }
-
-  /** Selecting a hidden site turns the camera until it is seen. */
-  set selected(index: number) {
-    this.select(this.session.sites[index]?.id);
-    const site = this.session.sites[index];
-    if (!this.#model || !site || this.sitePosition(index)) return;
-    const normal = new Float32Array(3);
-    this.#model.drawing.mesh.writeNormal(site.face, site.bary, normal, 0);
-    this.stage.lookAgainst(new Vector3().fromArray(normal));
-  }
-
-  open(read: Reader): Promise<boolean> {
-    return this.session.open(read, this.attributes.opening);
+  /** Opens a model; resolves to whether it is there now. */
+  async open(read: Reader): Promise<boolean> {
+    const before = this.#read;
+    this.#read = read; // now, so that attributes that change meanwhile rebuild this model
+    const isOpen = await this.session.open(read, this.attributes.opening);
+    if (!isOpen && this.#read === read) this.#read = before;
+    return isOpen;
   }
 
   /** Opens the model that is shown anew, made otherwise of its files: sites and density stay. */
-  async rebuild(read: Reader): Promise<void> {
+  async rebuild(): Promise<void> {
+    if (!this.#read) return;
     const { attributes, session } = this;
     const { mesh } = session;
     const sites = () =>
       attributes.differ(samplingAttributes) ? undefined : surfacePointsOf(session.sites);
     const kept = mesh && { mesh, sites, tints: this.#model?.paint.tints?.slice() };
-    await session.open(read, { ...attributes.opening, kept });
+    await session.open(this.#read, { ...attributes.opening, kept });
   }
 
   /** Applies the metric and the detail of the attributes. */
@@ -168,25 +157,9 @@ export class Viewer implements Workpiece {
     this.session.configure(this.attributes.diagram);
   }
 
-  select(site: number | undefined): void {
-    this.#selected = site;
-    this.#showSites();
-  }
-
-  selectNext(step: 1 | -1): void {
-    const count = this.session.sites.length;
-    if (count === 0) return;
-    const { selected } = this;
-    if (selected < 0) this.selected = step > 0 ? 0 : count - 1;
-    else this.selected = (selected + step + count) % count;
-  }
-
   addSite(place: SitePlace): void {
     if (!this.session.mesh) return;
-    this.edit(() => {
-      this.#selected = this.session.addSite(place);
-    });
-    this.#showSites();
+    this.edit(() => this.selection.select(this.session.addSite(place)));
   }
 
   moveSite(index: number, place: SitePlace, isSameStep = false): void {
@@ -220,22 +193,6 @@ export class Viewer implements Workpiece {
     if (isPlaying) this.playCvt();
   }
 
-  /**
-   * Moves the selected site so many CSS pixels over the view; it stays where there is no surface. Until
-   * something else is done, further ones are the same step to undo.
-   */
-  nudge(right: number, down: number): void {
-    const { selected } = this;
-    const from = this.sitePosition(selected);
-    if (!from) return;
-    const place = this.tools.pick(this.stage.toDevice(from.x + right, from.y + down));
-    if (!place) return;
-    const { session } = this;
-    const isSame = this.#nudged?.sites === session.sites && this.#nudged.index === selected;
-    this.moveSite(selected, place, isSame && !session.canRedo);
-    this.#nudged = { index: selected, sites: session.sites };
-  }
-
   /** Where a site is drawn on the page; undefined if it is behind the surface. */
   sitePosition(index: number): { x: number; y: number } | undefined {
     if (!this.#model || !this.session.sites[index]) return undefined;
@@ -251,7 +208,7 @@ export class Viewer implements Workpiece {
     try {
       return this.stage.read(scale); // which draws at once, and then waits for the pixels
     } finally {
-      if (sites) sites.selected = this.selected;
+      if (sites) sites.selected = this.selection.index;
     }
   }
 
@@ -336,7 +293,8 @@ export class Viewer implements Workpiece {
       cvtRested: (shown, milliseconds) => this.#emit('diagram', factsOf(shown, milliseconds)),
       cvtIterated: (shown, { iteration, energy, largestMove }, how) => {
         this.#showDiagram(shown, how);
-        const least = shown.summary && hexagonEnergy(shown.summary, this.#density?.rootIntegral);
+        const least =
+          shown.summary && hexagonEnergy(shown.summary, this.#model?.density?.rootIntegral);
         const relativeEnergy = energy / (least ?? NaN);
         this.#emit('cvt-iteration', { iteration, energy, relativeEnergy, largestMove });
       },
@@ -384,7 +342,8 @@ export class Viewer implements Workpiece {
 
   #showSites(): void {
     if (!this.#model) return;
-    const { selected, session } = this;
+    const { session } = this;
+    const selected = this.selection.index;
     this.#model.drawing.sites.set(session.sites, selected, this.#glideTime());
     this.#glideSites();
     this.#emit('sites-change', {
@@ -424,16 +383,11 @@ export class Viewer implements Workpiece {
   #adoptDensity(): void {
     const { mesh } = this.session;
     if (!this.#model || !mesh) return;
-    const { paint, drawing } = this.#model;
-    const perVertex = paint.density;
-    this.#density = perVertex && {
-      perVertex,
-      rootIntegral: rootDensityIntegral(mesh, perVertex),
-    };
-    drawing.setTints(paint.tints);
-    this.legend.showDensity(perVertex !== undefined);
+    this.#model.adoptPaint(mesh);
+    const isUniform = this.density === undefined;
+    this.legend.showDensity(!isUniform);
     this.stage.invalidate();
-    this.#emit('density-change', { isUniform: perVertex === undefined });
+    this.#emit('density-change', { isUniform });
   }
 
   #tellHovered(point: HoveredPoint | undefined, path: SurfacePath | undefined): void {
