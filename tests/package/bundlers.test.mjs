@@ -215,7 +215,7 @@ test('esbuild, with the workers as entries of their own and the modules beside t
     entryPoints: {
       main: 'main.js',
       worker: inPackage('worker.js'),
-      drawing_worker: inPackage('viewer/drawing_worker.js'),
+      drawing_worker: inPackage('viewer/buffers/drawing_worker.js'),
     },
     bundle: true,
     minify: true,

@@ -4,10 +4,10 @@
 
 import assert from 'node:assert/strict';
 import { suite, test } from 'node:test';
-import { DerivedDrawings } from '../../dist/viewer/derived_drawings.js';
-import { fetchModelFiles } from '../../dist/viewer/model_files.js';
-import { OriginalLayer } from '../../dist/viewer/original_layer.js';
-import { RestartableTask } from '../../dist/viewer/restartable_task.js';
+import { DerivedDrawings } from '../../dist/viewer/layers/derived_drawings.js';
+import { fetchModelFiles } from '../../dist/viewer/session/model_files.js';
+import { OriginalLayer } from '../../dist/viewer/layers/original_layer.js';
+import { RestartableTask } from '../../dist/viewer/session/restartable_task.js';
 
 const turn = () => new Promise((resolve) => setImmediate(resolve));
 const milliseconds = (count) => new Promise((resolve) => setTimeout(resolve, count));

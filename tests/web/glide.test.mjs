@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import assert from 'node:assert/strict';
 import { suite, test } from 'node:test';
-import { Glide } from '../../dist/viewer/glide.js';
+import { Glide } from '../../dist/viewer/drawing/glide.js';
 
 suite('a glide', () => {
   const [origin, x, y] = [

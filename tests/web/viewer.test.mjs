@@ -10,20 +10,20 @@ import { Vector3 } from 'three';
 import { runnerImport } from 'vite';
 import { apart, bumpySphere, grid, octahedron } from '../wasm/meshes.mjs';
 
-const { DensityPaint, greatestDensity } = await viewerModule('density_paint');
-const { DiagramSummary } = await viewerModule('diagram_summary');
-const { framingOf } = await viewerModule('framing');
-const { hexagonEnergy, rootDensityIntegral } = await viewerModule('hexagon_energy');
-const { sceneArrays } = await viewerModule('scene_arrays');
-const { SceneMesh } = await viewerModule('scene_mesh');
-const { cornerNormals } = await viewerModule('corner_normals');
-const { LatestTask } = await viewerModule('latest_task');
-const { ModelDrawing } = await viewerModule('model_drawing');
-const { ModelFrame } = await viewerModule('model_frame');
-const { RegionColours, toneColour } = await viewerModule('region_colours');
-const { changeDiagram, shownDiagram } = await viewerModule('shown_diagram');
-const { SiteHistory } = await viewerModule('site_history');
-const { stepsBetween, without } = await viewerModule('site_step');
+const { DensityPaint, greatestDensity } = await viewerModule('tools/density_paint');
+const { DiagramSummary } = await viewerModule('buffers/diagram_summary');
+const { framingOf } = await viewerModule('stage/framing');
+const { hexagonEnergy, rootDensityIntegral } = await viewerModule('session/hexagon_energy');
+const { sceneArrays } = await viewerModule('buffers/scene_arrays');
+const { SceneMesh } = await viewerModule('buffers/scene_mesh');
+const { cornerNormals } = await viewerModule('buffers/corner_normals');
+const { LatestTask } = await viewerModule('session/latest_task');
+const { ModelDrawing } = await viewerModule('drawing/model_drawing');
+const { ModelFrame } = await viewerModule('buffers/model_frame');
+const { RegionColours, toneColour } = await viewerModule('buffers/region_colours');
+const { changeDiagram, shownDiagram } = await viewerModule('session/shown_diagram');
+const { SiteHistory } = await viewerModule('session/site_history');
+const { stepsBetween, without } = await viewerModule('session/site_step');
 
 async function viewerModule(name) {
   const path = fileURLToPath(new URL(`../../web/viewer/${name}.ts`, import.meta.url));

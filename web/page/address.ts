@@ -3,7 +3,7 @@
 // The page's own address: it keeps the state that a link keeps, for reloading and coming back.
 
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
-import { lastSegment } from '../viewer/model_files.js';
+import { lastSegment } from '../viewer/session/model_files.js';
 import { listen } from './dom.js';
 import { isSample, modelOf } from './first_model.js';
 import { isPageState, linkAttributes, modelName, notHeld, pageState } from './page_state.js';

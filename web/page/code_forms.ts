@@ -3,7 +3,11 @@
 // Code that makes the shown diagram elsewhere: a script, a page, a command.
 
 import type { Sampling, SurfacePoints } from 'geodesic-voronoi';
-import { attributeDefaults, attributeOf, buildAttributes } from '../viewer/attribute_defaults.js';
+import {
+  attributeDefaults,
+  attributeOf,
+  buildAttributes,
+} from '../viewer/element/attribute_defaults.js';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { listen } from './dom.js';
 import { downloadName } from './downloads.js';

@@ -3,7 +3,7 @@
 // The menu of files to take away.
 
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
-import { sentence } from '../viewer/failure.js';
+import { sentence } from '../viewer/session/failure.js';
 import { byId, listen } from './dom.js';
 import { hideError, showError, showNoteOnSites } from './feedback.js';
 import { modelName } from './page_state.js';

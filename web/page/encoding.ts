@@ -2,7 +2,7 @@
 //
 // Files made in a worker.
 
-import { buffersOf } from '../viewer/transfer.js';
+import { buffersOf } from '../viewer/buffers/transfer.js';
 import type { Encoders, EncodingRequest } from './encoding_worker.js';
 
 /**

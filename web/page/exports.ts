@@ -4,7 +4,7 @@
 
 import type { Diagram, DiagramData, Mesh } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement, Status } from '../viewer/element.js';
-import { linear } from '../viewer/colour_vision.js';
+import { linear } from '../viewer/buffers/colour_vision.js';
 import { encode } from './encoding.js';
 import { outlinesSvg } from './outline_svg.js';
 import { sitesCsv, sitesJson } from './sites_file.js';

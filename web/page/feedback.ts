@@ -3,7 +3,7 @@
 // The page's feedback: the status line, progress, errors and times.
 
 import type { GeodesicVoronoiElement, Status, ViewerEvents } from '../viewer/element.js';
-import { isAbandoned, sentence } from '../viewer/failure.js';
+import { isAbandoned, sentence } from '../viewer/session/failure.js';
 import { byId, listen, onClick } from './dom.js';
 import { counted, duration, integer, measure } from './numbers.js';
 

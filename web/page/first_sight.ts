@@ -3,9 +3,9 @@
 // The opening of the page: a model whose random regions become even ones, once.
 
 import type { CvtState } from 'geodesic-voronoi';
-import { attributeOf } from '../viewer/attribute_defaults.js';
+import { attributeOf } from '../viewer/element/attribute_defaults.js';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
-import { hexagonEnergy } from '../viewer/hexagon_energy.js';
+import { hexagonEnergy } from '../viewer/session/hexagon_energy.js';
 import type { CvtReadings } from './cvt_readings.js';
 import { byId, listen } from './dom.js';
 import { showFailure } from './feedback.js';

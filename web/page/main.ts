@@ -4,9 +4,9 @@
 
 import type { LoadOptions } from 'geodesic-voronoi';
 import { GeodesicVoronoiElement } from '../viewer/element.js';
-import { sentence } from '../viewer/failure.js';
-import { provideModules } from '../viewer/library_pool.js';
-import { provideModel } from '../viewer/model_files.js';
+import { sentence } from '../viewer/session/failure.js';
+import { provideModules } from '../viewer/session/library_pool.js';
+import { provideModel } from '../viewer/session/model_files.js';
 import { setUpAddress } from './address.js';
 import { setUpAnnouncements } from './announcements.js';
 import { setUpCvtControls } from './cvt_controls.js';

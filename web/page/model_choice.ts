@@ -4,7 +4,7 @@
 
 import type { ModelFiles } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
-import { chosenFiles, droppedFiles, lastSegment } from '../viewer/model_files.js';
+import { chosenFiles, droppedFiles, lastSegment } from '../viewer/session/model_files.js';
 import { byId, listen, onClick } from './dom.js';
 import { showError, showNote } from './feedback.js';
 import { modelOf, sampleAddress } from './first_model.js';

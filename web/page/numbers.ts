@@ -3,7 +3,7 @@
 // Numbers as the page writes them.
 
 export { counted, integer } from '../../dist/sentences.js';
-export { measure } from '../viewer/measure.js';
+export { measure } from '../viewer/layers/measure.js';
 
 export function duration(milliseconds: number): string {
   if (milliseconds < 10) return `${milliseconds.toFixed(1)} ms`;

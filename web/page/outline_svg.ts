@@ -4,7 +4,7 @@
 
 import type { DiagramData } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../viewer/element.js';
-import { Slices } from '../viewer/next_frame.js';
+import { Slices } from '../viewer/stage/next_frame.js';
 
 /** A point of the surface as it is seen in the view, in CSS pixels; none if it is hidden. */
 type SeenPoint = { x: number; y: number } | undefined;

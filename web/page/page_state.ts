@@ -4,9 +4,9 @@
 // where they are, the distance, and the view.
 
 import type { SurfacePoints } from 'geodesic-voronoi';
-import { buildAttributes, samplingAttributes } from '../viewer/attribute_defaults.js';
+import { buildAttributes, samplingAttributes } from '../viewer/element/attribute_defaults.js';
 import type { GeodesicVoronoiElement, ViewerEvents } from '../viewer/element.js';
-import { lastSegment } from '../viewer/model_files.js';
+import { lastSegment } from '../viewer/session/model_files.js';
 import { byId } from './dom.js';
 import { showError, showNote } from './feedback.js';
 import { isSample } from './first_model.js';

@@ -7,7 +7,7 @@ import type { GeodesicVoronoiElement } from '../viewer/element.js';
 import { maxHeaderBytes, readPlyHeader } from '../../dist/input/ply_header.js';
 import { readPointsFile } from '../../dist/input/points_reader.js';
 import { pointsFile } from '../../dist/points_file.js';
-import { sentence } from '../viewer/failure.js';
+import { sentence } from '../viewer/session/failure.js';
 import { byId } from './dom.js';
 import { hideError, showError, showNoteOnSites } from './feedback.js';
 import { counted, integer, measure } from './numbers.js';

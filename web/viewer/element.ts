@@ -10,22 +10,22 @@ import type {
   Sampling,
   SurfacePoints,
 } from 'geodesic-voronoi';
-import { buildAttributes, samplingAttributes } from './attribute_defaults.js';
-import { formatCameraOrbit } from './camera_orbit.js';
-import { type Command, commandOf, instructionsOf, perform } from './commands.js';
-import { fileOfPicture } from './drawing_builder.js';
-import { ElementShadow } from './element_shadow.js';
-import type { CvtIteration, FailureType, ViewerEventMap, ViewerEvents } from './events.js';
-import { contextLost, noWebGl } from './failure.js';
-import type { HoveredPoint } from './hover.js';
-import type { Reader } from './mesh_opening.js';
-import { type Layer, layers } from './model_drawing.js';
-import { chosenFiles, droppedFiles, fetchModelFiles, named } from './model_files.js';
-import { watchNearness } from './nearness.js';
-import { ReflectingElement } from './reflecting_element.js';
-import type { CvtStatus, Status } from './session_listener.js';
-import { type PointList, type SitePlace, surfacePointsOf } from './site_history.js';
-import type { Session } from './session.js';
+import { buildAttributes, samplingAttributes } from './element/attribute_defaults.js';
+import { formatCameraOrbit } from './stage/camera_orbit.js';
+import { type Command, commandOf, instructionsOf, perform } from './tools/commands.js';
+import { fileOfPicture } from './buffers/drawing_builder.js';
+import { ElementShadow } from './element/element_shadow.js';
+import type { CvtIteration, FailureType, ViewerEventMap, ViewerEvents } from './element/events.js';
+import { contextLost, noWebGl } from './session/failure.js';
+import type { HoveredPoint } from './tools/hover.js';
+import type { Reader } from './session/mesh_opening.js';
+import { type Layer, layers } from './drawing/model_drawing.js';
+import { chosenFiles, droppedFiles, fetchModelFiles, named } from './session/model_files.js';
+import { watchNearness } from './element/nearness.js';
+import { ReflectingElement } from './element/reflecting_element.js';
+import type { CvtStatus, Status } from './session/session_listener.js';
+import { type PointList, type SitePlace, surfacePointsOf } from './session/site_history.js';
+import type { Session } from './session/session.js';
 import { Viewer } from './viewer.js';
 
 export type { Command, CvtIteration, CvtStatus, HoveredPoint, Layer, SitePlace, Status };

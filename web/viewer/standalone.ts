@@ -6,7 +6,7 @@
 
 const parts: Readonly<Record<string, () => Promise<unknown>>> = {
   'geodesic-voronoi': () => import('geodesic-voronoi/worker'),
-  'geodesic-voronoi-drawing': () => import('./drawing_worker.js'),
+  'geodesic-voronoi-drawing': () => import('./buffers/drawing_worker.js'),
 };
 
 // Not awaited: a worker that waits here might miss its first message.

@@ -3,32 +3,32 @@
 // The content of an element: it connects the session, the scene and the tools.
 
 import type { SurfacePath } from 'geodesic-voronoi';
-import { buildAttributes, samplingAttributes } from './attribute_defaults.js';
-import type { Attributes } from './attribute_values.js';
-import { formatCameraOrbit } from './camera_orbit.js';
-import { commandOf, isOfView, perform } from './commands.js';
-import { DerivedDrawings } from './derived_drawings.js';
-import { Legend } from './legend.js';
-import type { Emit } from './events.js';
-import { hexagonEnergy } from './hexagon_energy.js';
-import { Hover, type HoveredPoint } from './hover.js';
-import type { OpenedMesh, Reader, SiteSampling } from './mesh_opening.js';
+import { buildAttributes, samplingAttributes } from './element/attribute_defaults.js';
+import type { Attributes } from './element/attribute_values.js';
+import { formatCameraOrbit } from './stage/camera_orbit.js';
+import { commandOf, isOfView, perform } from './tools/commands.js';
+import { DerivedDrawings } from './layers/derived_drawings.js';
+import { Legend } from './layers/legend.js';
+import type { Emit } from './element/events.js';
+import { hexagonEnergy } from './session/hexagon_energy.js';
+import { Hover, type HoveredPoint } from './tools/hover.js';
+import type { OpenedMesh, Reader, SiteSampling } from './session/mesh_opening.js';
 import { OpenModel } from './open_model.js';
-import { OriginalLayer } from './original_layer.js';
-import { PageScrolling } from './page_scrolling.js';
-import type { DrawnPixels } from './picture_file.js';
-import { PointerGestures } from './pointer_gestures.js';
-import { Session } from './session.js';
-import type { Drawable, SessionListener } from './session_listener.js';
-import { drawnDiagram, factsOf, type ShownDiagram } from './shown_diagram.js';
-import { type PointList, type SitePlace, surfacePointsOf } from './site_history.js';
-import { SiteSelection } from './site_selection.js';
-import { type ContextListener, SharedRenderer } from './shared_renderer.js';
-import { Stage } from './stage.js';
-import { SurfaceTools, type Workpiece } from './surface_tools.js';
-import { themeOf, watchTheme } from './theme.js';
-import { paddingAround } from './view_padding.js';
-import { WireframeLayer } from './wireframe_layer.js';
+import { OriginalLayer } from './layers/original_layer.js';
+import { PageScrolling } from './tools/page_scrolling.js';
+import type { DrawnPixels } from './stage/picture_file.js';
+import { PointerGestures } from './tools/pointer_gestures.js';
+import { Session } from './session/session.js';
+import type { Drawable, SessionListener } from './session/session_listener.js';
+import { drawnDiagram, factsOf, type ShownDiagram } from './session/shown_diagram.js';
+import { type PointList, type SitePlace, surfacePointsOf } from './session/site_history.js';
+import { SiteSelection } from './tools/site_selection.js';
+import { type ContextListener, SharedRenderer } from './stage/shared_renderer.js';
+import { Stage } from './stage/stage.js';
+import { SurfaceTools, type Workpiece } from './tools/surface_tools.js';
+import { themeOf, watchTheme } from './drawing/theme.js';
+import { paddingAround } from './stage/view_padding.js';
+import { WireframeLayer } from './layers/wireframe_layer.js';
 
 /** In milliseconds, short enough for the eye to follow the markers of sites. */
 const longestGlide = 250;

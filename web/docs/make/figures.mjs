@@ -4,7 +4,7 @@
 // is drawn by hand, and the same library gives the same bytes.
 
 import { load } from 'geodesic-voronoi';
-import { RegionColours, toneColour } from '../../../dist/viewer/region_colours.js';
+import { RegionColours, toneColour } from '../../../dist/viewer/buffers/region_colours.js';
 import { torus } from '../../page/sample_shapes.mjs';
 import { Drawing, pairsOf, View } from './drawing.mjs';
 import { envelopeFigure } from './envelope_figure.mjs';

@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: MIT
+//
+// Everything that is drawn of a model.
+
+import type { DiagramChange, DiagramData, SurfacePath } from 'geodesic-voronoi';
+import {
+  type BufferGeometry,
+  type Data3DTexture,
+  Group,
+  type LineBasicMaterial,
+  type LineSegments,
+} from 'three';
+import { css } from '../buffers/colour_vision.js';
+import type { DiagramGeometry, PreparedDiagram } from '../buffers/diagram_geometry.js';
+import type { DiagramSummary } from '../buffers/diagram_summary.js';
+import type { DistanceScale } from './distance_scale.js';
+import { DistanceSurface } from './distance_surface.js';
+import type { DistanceTriangles } from '../buffers/distance_triangles.js';
+import { ExplodedParts } from './exploded_parts.js';
+import { chainEnds, FatLines, pointPlaces, wireframe } from './lines.js';
+import type { OriginalMaterial } from './original_material.js';
+import { RegionColours, toneColour } from '../buffers/region_colours.js';
+import { RegionSurface, type TonedDiagram } from './region_surface.js';
+import { OutlineDrawing } from './outline_drawing.js';
+import type { PartTriangles } from '../buffers/part_triangles.js';
+import { occlusionTexture } from './occlusion.js';
+import type { SceneMesh } from '../buffers/scene_mesh.js';
+import { SiteDrawing } from './site_drawing.js';
+import type { Sites } from '../session/site_history.js';
+import { lightTheme, type Theme } from './theme.js';
+import { VoronoiPointMarkers } from './voronoi_point_markers.js';
+
+/** The layers that can be shown and hidden. */
+export const layers = [
+  'regions',
+  'bisectors',
+  'sites',
+  'voronoi-points',
+  'dual',
+  'distances',
+  'original',
+  'wireframe',
+] as const;
+export type Layer = (typeof layers)[number];
+
+/** The radius of a Voronoi point's marker, as a share of that of a site's. */
+const pointShare = 0.45;
+
+/** The greatest width of bisectors, as a share of the radius of a disc as large as a usual region. */
+const bisectorShare = 0.25;
+
+/** A diagram that has been changed; `data` is read only to draw the whole diagram. */
+export interface DrawnDiagram {
+  readonly data: DiagramData;
+  summary: DiagramSummary;
+  /** The site's identity per label. */
+  siteIds: readonly number[];
+}
+
+type Lines = Pick<DiagramData, 'points' | 'arcs' | 'segments' | 'voronoiPoints'>;
+
+/** A model with its diagram and sites, as objects of the scene. */
+export class ModelDrawing {
+  readonly object = new Group();
+  readonly sites: SiteDrawing;
+  readonly outline: OutlineDrawing;
+  readonly #mesh: SceneMesh;
+  readonly #surface: RegionSurface;
+  readonly #colours: RegionColours;
+  /** Each segment has its two labels as keys. */
+  readonly #bisectors = new FatLines({ width: 2 });
+  readonly #brush = new FatLines({ width: 2.5 });
+  /** From the point under the pointer to its site. */
+  readonly #path = new FatLines({ width: 2.5 });
+  readonly #dual = new FatLines({ width: 2.5 });
+  readonly #voronoiPoints: VoronoiPointMarkers;
+  /** The surface and everything that lies on it. */
+  readonly #whole = new Group();
+  #parts: ExplodedParts | undefined;
+  #coming: ExplodedParts | undefined;
+  #distances: DistanceSurface | undefined;
+  #original: OriginalMaterial | undefined;
+  #wireframe: LineSegments<BufferGeometry, LineBasicMaterial> | undefined;
+  readonly #occlusion: Data3DTexture;
+  #theme: Theme = lightTheme;
+  #shown: ReadonlySet<Layer> = new Set();
+  #tones: Uint16Array = new Uint16Array();
+
+  constructor(mesh: SceneMesh, colours = new RegionColours()) {
+    this.#mesh = mesh;
+    this.#colours = colours;
+    this.#occlusion = occlusionTexture(mesh.surfaceDensity);
+    this.#surface = new RegionSurface(mesh, this.#occlusion);
+    this.sites = new SiteDrawing(mesh);
+    this.outline = new OutlineDrawing(mesh);
+    this.#voronoiPoints = new VoronoiPointMarkers(mesh, { least: 1.5, most: 4.5, rim: 0.3 });
+    this.theme = this.#theme;
+    this.object.add(this.#whole);
+    this.#whole.add(
+      this.#surface.object,
+      this.#bisectors.object,
+      this.outline.object,
+      this.#dual.object,
+      this.#brush.object,
+      this.#path.object,
+      this.#voronoiPoints.markers.object,
+      this.sites.object,
+    );
+  }
+
+  /** See `Markers`. */
+  set front(side: number) {
+    this.sites.front = side;
+    this.#voronoiPoints.markers.front = side;
+  }
+
+  get theme(): Theme {
+    return this.#theme;
+  }
+
+  set theme(theme: Theme) {
+    this.#theme = theme;
+    this.#surface.shade = theme.surfaceShade;
+    this.#bisectors.colour = this.outline.colour = theme.ink;
+    this.#rimBisectors();
+    this.#dual.colour = this.#brush.colour = this.#path.colour = theme.accent;
+    this.sites.theme = theme;
+    this.#voronoiPoints.markers.theme = theme;
+    this.#wireframe?.material.color.set(theme.ink);
+    if (this.#parts) this.#parts.shade = theme.surfaceShade;
+  }
+
+  get mesh(): SceneMesh {
+    return this.#mesh;
+  }
+
+  show(shown: ReadonlySet<Layer>): void {
+    this.#shown = shown;
+    this.#surface.filled = shown.has('regions');
+    this.sites.object.visible = shown.has('sites');
+    this.#voronoiPoints.visible = shown.has('voronoi-points');
+    if (this.#wireframe) this.#wireframe.visible = shown.has('wireframe');
+    this.#showBisectors();
+  }
+
+  /** Chooses a tone per label for a diagram that is to be drawn. */
+  assignTones(summary: DiagramSummary, sites: Sites): Uint16Array {
+    return this.#colours.assign(
+      summary,
+      sites.map(({ id }) => id),
+    );
+  }
+
+  /** Draws a whole diagram, or none; takes over the arrays in `prepared`. */
+  setDiagram(data: DiagramData | undefined, prepared: PreparedDiagram | undefined): void {
+    this.#tones = prepared?.tones ?? new Uint16Array();
+    const { cells } = prepared?.geometry ?? {};
+    this.#surface.setDiagram(data && { data, tones: this.#tones }, cells);
+    this.#adoptAreas(prepared?.summary);
+    this.#setLines(data, prepared?.geometry);
+    this.outline.setLoops(data);
+  }
+
+  /** Draws what a change made different, and nothing else. */
+  changeDiagram(change: DiagramChange, diagram: DrawnDiagram): void {
+    const { labels, part } = change;
+    this.#tones = this.#colours.assign(diagram.summary, diagram.siteIds, new Set(labels));
+    this.#surface.changeDiagram(change, toned(diagram, this.#tones));
+    this.#adoptAreas(diagram.summary);
+    // There may be one more label than tones: that of a removed site.
+    const isChanged = new Uint8Array(1 + Math.max(this.#tones.length, labels[labels.length - 1]));
+    for (const label of labels) isChanged[label] = 1;
+    this.#replaceLines(isChanged, part);
+    this.outline.changeLoops(labels, part);
+  }
+
+  /**
+   * The surface coloured by distance, in the model's units, instead of the regions; undefined for
+   * none.
+   */
+  setDistances(triangles: DistanceTriangles | undefined, inUnits?: DistanceScale): void {
+    if (this.#distances) this.#whole.remove(this.#distances.object);
+    this.#distances?.dispose();
+    const { scale } = this.#mesh.frame;
+    this.#distances =
+      triangles &&
+      inUnits &&
+      new DistanceSurface(
+        this.#mesh,
+        triangles,
+        { longest: scale * inUnits.longest, step: scale * inUnits.step },
+        this.#occlusion,
+      );
+    if (this.#distances) this.#whole.add(this.#distances.object);
+    this.#showSurface();
+  }
+
+  /** The surface as its file colours it, instead of the regions; undefined for none. */
+  setOriginal(original: OriginalMaterial | undefined): void {
+    if (this.#original === original) return;
+    if (this.#original) this.#whole.remove(this.#original.object);
+    this.#original?.dispose();
+    this.#original = original;
+    if (original) this.#whole.add(original.object);
+    this.#rimBisectors();
+    this.#showSurface();
+  }
+
+  /** Regions are coloured so that bisectors stand out; a file's own colours may be any. */
+  #rimBisectors(): void {
+    this.#bisectors.rim = this.#original ? this.#theme.paper : undefined;
+  }
+
+  /** Two vertices for every edge: the wireframe's. */
+  setEdges(edges: Uint32Array): void {
+    this.#wireframe = wireframe(this.#mesh, edges);
+    this.#wireframe.material.color.set(this.#theme.ink);
+    this.#wireframe.visible = this.#shown.has('wireframe');
+    this.#whole.add(this.#wireframe);
+  }
+
+  /** Shows one surface only, or several would be drawn in the same place. */
+  #showSurface(): void {
+    if (this.#original) this.#original.object.visible = !this.#distances;
+    this.#surface.object.visible = !this.#distances && !this.#original;
+  }
+
+  /** Draws the dual: both ends of every piece of its sides; empty for no dual. */
+  setDual(ends: Float32Array): void {
+    this.#dual.set(ends);
+  }
+
+  /** The tone of each label. */
+  get tones(): Uint16Array {
+    return this.#tones;
+  }
+
+  /** Makes parts to be uploaded before they are shown; drops earlier ones that were never shown. */
+  prepareParts(triangles: PartTriangles): ExplodedParts {
+    this.#discard(this.#coming);
+    this.#coming = new ExplodedParts(triangles, this.#occlusion);
+    this.#coming.shade = this.#theme.surfaceShade;
+    this.object.add(this.#coming.object);
+    return this.#coming;
+  }
+
+  /** Shows prepared parts instead of the surface and what lies on it; undefined for none. */
+  setParts(parts: ExplodedParts | undefined): void {
+    if (this.#coming !== parts) this.#discard(this.#coming);
+    this.#coming = undefined;
+    this.#discard(this.#parts);
+    this.#parts = parts;
+    this.#parts?.show();
+    this.#whole.visible = !this.#parts;
+  }
+
+  #discard(parts: ExplodedParts | undefined): void {
+    if (parts) this.object.remove(parts.object);
+    parts?.dispose();
+  }
+
+  /** How far the parts of the exploded view have moved, 0 … 1. */
+  spread(share: number): void {
+    this.#parts?.spread(share);
+  }
+
+  /** The colour of a region, as CSS has it. */
+  regionColour(label: number): string | undefined {
+    if (label < 0 || label >= this.#tones.length) return undefined;
+    return css(toneColour(this.#tones[label]));
+  }
+
+  /**
+   * Both ends of the sides of the brush's outline; none if there is no brush. Returns whether it
+   * changed.
+   */
+  setBrush(ends: Float32Array): boolean {
+    if (ends.length === 0 && this.#brush.count === 0) return false;
+    this.#brush.set(ends);
+    return true;
+  }
+
+  /** A tint per input vertex, -1 … 1, over the regions' colours; undefined for none. */
+  setTints(tints: Float32Array | undefined): void {
+    this.#surface.tints = tints;
+  }
+
+  #adoptAreas(summary: DiagramSummary | undefined): void {
+    this.sites.regionAreas = summary?.regionArea ?? new Float64Array();
+    // Without regions, nothing is crowded.
+    this.#bisectors.widest = bisectorShare * (this.sites.usualRadius || 1);
+  }
+
+  /** A path on the surface; undefined for none. */
+  setPath(path: SurfacePath | undefined): void {
+    const points = path?.points ?? { position: [] };
+    this.#path.set(chainEnds(this.#mesh, { points, offset: [0, points.position.length / 3] }));
+  }
+
+  dispose(): void {
+    this.#surface.dispose();
+    this.#bisectors.dispose();
+    this.outline.dispose();
+    this.#dual.dispose();
+    this.#brush.dispose();
+    this.#path.dispose();
+    this.#parts?.dispose();
+    this.#coming?.dispose();
+    this.#distances?.dispose();
+    this.setOriginal(undefined);
+    this.#occlusion.dispose();
+    this.#voronoiPoints.markers.dispose();
+    this.sites.dispose();
+    if (this.#wireframe) {
+      this.#wireframe.geometry.dispose();
+      this.#wireframe.material.dispose();
+    }
+  }
+
+  #showBisectors(): void {
+    this.#bisectors.object.visible = this.#bisectors.count > 0 && this.#shown.has('bisectors');
+  }
+
+  /** The bisectors and Voronoi points of a diagram. */
+  #setLines(lines: Lines | undefined, geometry: DiagramGeometry | undefined): void {
+    const ends = geometry?.segmentEnds ?? this.#segmentEnds(lines);
+    this.#bisectors.adopt(ends, lines?.segments.labels ?? new Int32Array());
+    this.#voronoiPoints.set(lines, pointShare * this.sites.usualSize);
+    this.#showBisectors();
+  }
+
+  /** Replaces the bisectors and Voronoi points of the marked labels. */
+  #replaceLines(isChanged: Uint8Array, lines: Lines): void {
+    const gone = { first: isChanged, second: isChanged };
+    this.#bisectors.replace(gone, this.#segmentEnds(lines), lines.segments.labels);
+    this.#voronoiPoints.replace(isChanged, lines, pointShare * this.sites.usualSize);
+    this.#showBisectors();
+  }
+
+  #segmentEnds(lines: Lines | undefined): Float32Array {
+    return lines ? pointPlaces(this.#mesh, lines, lines.segments.points) : new Float32Array();
+  }
+}
+
+function toned(diagram: DrawnDiagram, tones: Uint16Array): TonedDiagram {
+  return {
+    tones,
+    get data() {
+      return diagram.data;
+    },
+  };
+}

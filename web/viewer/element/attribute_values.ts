@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+//
+// The values of the element's attributes.
+
+import type { CvtMethod, Metric, Orientation, Sampling } from 'geodesic-voronoi';
+import { attributeDefaults, attributeOf } from './attribute_defaults.js';
+import { type CameraOrbit, parseCameraOrbit } from '../stage/camera_orbit.js';
+import type { CvtSettings } from '../session/cvt_run.js';
+import type { Brush } from '../tools/density_paint.js';
+import { type Layer, layers } from '../drawing/model_drawing.js';
+import type { Opening, SiteSampling } from '../session/mesh_opening.js';
+import type { DiagramSettings } from '../session/shown_diagram.js';
+import type { UpAxis } from '../stage/stage.js';
+
+/** Attributes are read anew at each access, so values are never stale. */
+export class Attributes {
+  readonly #element: HTMLElement;
+  /** The texts of the attributes by which the shown model and its sites were made. */
+  readonly #kept = new Map<string, string | null>();
+
+  constructor(element: HTMLElement) {
+    this.#element = element;
+  }
+
+  /** Notes that what is shown was made by these attributes as they are now. */
+  keep(names: readonly string[]): void {
+    for (const name of names) this.#kept.set(name, this.#element.getAttribute(name));
+  }
+
+  /** Whether these attributes ask for something else than is shown. */
+  differ(names: readonly string[]): boolean {
+    return names.some((name) => this.#element.getAttribute(name) !== this.#kept.get(name));
+  }
+
+  /** Sets attributes back to what is shown, after a failure or a cancel. */
+  restore(diagram: DiagramSettings): void {
+    this.#element.setAttribute('metric', diagram.metric);
+    this.#element.setAttribute('detail', String(diagram.detail));
+    for (const [name, text] of this.#kept) {
+      if (text === null) this.#element.removeAttribute(name);
+      else this.#element.setAttribute(name, text);
+    }
+  }
+
+  get label(): string {
+    return this.#given('alt') || 'A surface with its geodesic Voronoi diagram';
+  }
+
+  /** Whether nothing is fetched, nor anything drawn, before the element is near the view. */
+  get isLazy(): boolean {
+    return this.#given('loading') === 'lazy';
+  }
+
+  /** Whether the poster stays until the page dismisses it. */
+  get isRevealedByHand(): boolean {
+    return this.#given('reveal') === 'manual';
+  }
+
+  /**
+   * Whether there is anything to do with pointer and keys, and whether it changes sites and
+   * density.
+   */
+  get interactive(): { camera: boolean; edit: boolean } {
+    const text = this.#given('interactive');
+    return { camera: text !== 'none', edit: text !== 'none' && text !== 'camera' };
+  }
+
+  get touchAction(): string | undefined {
+    return this.#given('touch-action');
+  }
+
+  /** Undefined where it is none. */
+  get cameraOrbit(): CameraOrbit | undefined {
+    return parseCameraOrbit(this.#given('camera-orbit') ?? '');
+  }
+
+  get layers(): readonly Layer[] {
+    const wanted = new Set(this.#text('layers').split(/\s+/));
+    return layers.filter((layer) => wanted.has(layer));
+  }
+
+  /** 0 … 1. */
+  get exploded(): number {
+    return Math.min(1, Math.max(0, this.#number('exploded')));
+  }
+
+  get up(): UpAxis {
+    const axis = this.#text('up');
+    return axis === 'x' || axis === 'z' ? axis : 'y';
+  }
+
+  get diagram(): DiagramSettings {
+    return {
+      // The library refuses unknown metrics, in a sentence that lists the known ones.
+      metric: this.#text('metric') as Metric,
+      detail: this.#number('detail'),
+    };
+  }
+
+  get opening(): Opening {
+    return {
+      // The library refuses values that make no sense.
+      build: {
+        maxEdge: this.#number('max-edge'),
+        weld: this.#number('weld'),
+        orientation: this.#text('orientation') as Orientation,
+        minComponent: this.#number('min-component'),
+      },
+      siteSampling: () => this.siteSampling,
+    };
+  }
+
+  get siteSampling(): SiteSampling {
+    return {
+      count: this.#number('sites'),
+      seed: this.#number('seed'),
+      sampling: this.#text('sampling') as Sampling,
+      perComponent: this.#number('per-component'),
+    };
+  }
+
+  get cvt(): CvtSettings {
+    return {
+      method: this.#text('cvt-method') as CvtMethod,
+      energyTolerance: Math.max(0, this.#number('cvt-tolerance')),
+    };
+  }
+
+  get cvtIterations(): number {
+    return Math.max(1, Math.round(this.#number('cvt-iterations')));
+  }
+
+  get isPainting(): boolean {
+    return this.#given('tool') === 'density';
+  }
+
+  get brush(): Brush {
+    return {
+      radius: this.#number('brush-size') / 100,
+      density: this.#number('brush-density'),
+    };
+  }
+
+  /** The text of an attribute without a default. */
+  #given(name: string): string | undefined {
+    return this.#element.getAttribute(name) ?? undefined;
+  }
+
+  #text(name: string): string {
+    return attributeOf(this.#element, name);
+  }
+
+  #number(name: string): number {
+    const text = this.#text(name).trim();
+    const number = text ? Number(text) : NaN;
+    return Number.isFinite(number) ? number : Number(attributeDefaults[name]);
+  }
+}

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+//
+// Attributes of the element that are also properties.
+
+import { Attributes } from './attribute_values.js';
+import type { ViewerEventMap } from './events.js';
+import type { Layer } from '../drawing/model_drawing.js';
+import type { Status } from '../session/session_listener.js';
+
+/** Where there is no DOM, importing the element does nothing. */
+const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
+
+type Listener<Type extends keyof ViewerEventMap> = (
+  this: HTMLElement,
+  event: ViewerEventMap[Type],
+) => unknown;
+
+export interface ReflectingElement {
+  addEventListener<Type extends keyof ViewerEventMap>(
+    type: Type,
+    listener: Listener<Type>,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  addEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  removeEventListener<Type extends keyof ViewerEventMap>(
+    type: Type,
+    listener: Listener<Type>,
+    options?: boolean | EventListenerOptions,
+  ): void;
+  removeEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | EventListenerOptions,
+  ): void;
+}
+
+/**
+ * The element's attributes as properties, and the types of its events. React and Vue set the
+ * properties in place of the attributes, so these take an attribute's text, too.
+ */
+export class ReflectingElement extends Base {
+  protected readonly attributeValues = new Attributes(this);
+
+  constructor() {
+    super();
+    // Properties that a page set before the element was defined would hide those of the class.
+    const { observedAttributes, prototype } = new.target as typeof ReflectingElement & {
+      observedAttributes: readonly string[];
+    };
+    for (const [name, value] of Object.entries(this)) {
+      const attribute = name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
+      if (!(name in prototype && observedAttributes.includes(attribute))) continue;
+      Reflect.deleteProperty(this, name);
+      this.setAttribute(attribute, Array.isArray(value) ? value.join(' ') : String(value));
+    }
+  }
+
+  /** Address of the model. */
+  get src(): string {
+    return this.getAttribute('src') ?? '';
+  }
+
+  set src(address: string) {
+    this.setAttribute('src', address);
+  }
+
+  /** Describes the view to those who do not see it. */
+  get alt(): string {
+    return this.getAttribute('alt') ?? '';
+  }
+
+  set alt(text: string) {
+    this.setAttribute('alt', text);
+  }
+
+  /** Address of a picture that is shown until there is a model, and if there can be none. */
+  get poster(): string {
+    return this.getAttribute('poster') ?? '';
+  }
+
+  set poster(address: string) {
+    this.setAttribute('poster', address);
+  }
+
+  /** With 'lazy' nothing is fetched or made before the element is near the view. */
+  get loading(): 'eager' | 'lazy' {
+    return this.attributeValues.isLazy ? 'lazy' : 'eager';
+  }
+
+  set loading(loading: 'eager' | 'lazy') {
+    this.setAttribute('loading', loading);
+  }
+
+  /** With 'manual' the poster stays until `dismissPoster()`. */
+  get reveal(): 'auto' | 'manual' {
+    return this.attributeValues.isRevealedByHand ? 'manual' : 'auto';
+  }
+
+  set reveal(reveal: 'auto' | 'manual') {
+    this.setAttribute('reveal', reveal);
+  }
+
+  /** What pointer and keys do: change sites and density too, move the camera only, or nothing. */
+  get interactive(): 'edit' | 'camera' | 'none' {
+    const { camera, edit } = this.attributeValues.interactive;
+    return edit ? 'edit' : camera ? 'camera' : 'none';
+  }
+
+  set interactive(interactive: 'edit' | 'camera' | 'none') {
+    this.setAttribute('interactive', interactive);
+  }
+
+  /** What the element is doing. */
+  get status(): Status {
+    return (this.getAttribute('status') ?? 'empty') as Status;
+  }
+
+  /** The layers that are shown. */
+  get layers(): readonly Layer[] {
+    return this.attributeValues.layers;
+  }
+
+  set layers(shown: readonly Layer[] | string) {
+    this.setAttribute('layers', typeof shown === 'string' ? shown : shown.join(' '));
+  }
+
+  /** How far the regions move away from each other in the exploded view, 0 (none) … 1. */
+  get exploded(): number {
+    return this.attributeValues.exploded;
+  }
+
+  set exploded(share: number | string) {
+    this.setAttribute('exploded', String(share));
+  }
+}

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+//
+// Drawings derived from a diagram (parts, distances, dual), computed only while they are shown.
+
+import type { Diagram, Violation } from 'geodesic-voronoi';
+import type { Attributes } from '../element/attribute_values.js';
+import { Derived } from './derived.js';
+import { type DistanceScale, distanceScale } from '../drawing/distance_scale.js';
+import { cornersToAsk, type DistanceTriangles } from '../buffers/distance_triangles.js';
+import type { Emit } from '../element/events.js';
+import { type ExplodedParts, widestSpread } from '../drawing/exploded_parts.js';
+import type { Legend } from './legend.js';
+import { boundarySides, chainEnds } from '../drawing/lines.js';
+import { sentence } from '../session/failure.js';
+import { nextFrame } from '../stage/next_frame.js';
+import type { OpenModel } from '../open_model.js';
+import type { Session } from '../session/session.js';
+import type { ShownDiagram } from '../session/shown_diagram.js';
+import type { Stage } from '../stage/stage.js';
+
+/** The scene that they are drawn in. */
+export interface DrawingPlace {
+  readonly attributes: Attributes;
+  readonly stage: Stage;
+  readonly session: Session;
+  readonly model: OpenModel | undefined;
+  readonly legend: Legend;
+}
+
+/** The exploded view. */
+interface Parts {
+  regions: number;
+  parts: ExplodedParts;
+}
+
+/** The surface coloured by distance, and what the colours mean. */
+interface Distances {
+  triangles: DistanceTriangles;
+  /** In the model's units. */
+  scale: DistanceScale;
+}
+
+/** The dual's sides, and whether it has the topology of the surface. */
+interface Dual {
+  /** Both ends of every piece of the sides. */
+  ends: Float32Array;
+  polygons: number;
+  violations: readonly Violation[];
+}
+
+/** In milliseconds, how long a site that is dragged rests before the drawings follow. */
+const dragRest = 150;
+
+export class DerivedDrawings {
+  readonly #place: DrawingPlace;
+  readonly #emit: Emit;
+  readonly #dual = new Derived<Dual>({
+    compute: (diagram, signal) => this.#makeDual(diagram, signal),
+    adopt: (dual) => this.#showDual(dual),
+    failed: (error) => this.#fail('The dual cannot be made', error),
+  });
+  readonly #parts = new Derived<Parts>({
+    compute: (diagram, signal) => this.#makeParts(diagram, signal),
+    adopt: (parts) => this.#showParts(parts),
+    failed: (error) => this.#fail('The exploded view cannot be drawn', error),
+  });
+  readonly #distances = new Derived<Distances>({
+    compute: (diagram, signal) => this.#makeDistances(diagram, signal),
+    adopt: (distances) => this.#showDistances(distances),
+    failed: (error) => this.#fail('The distances cannot be drawn', error),
+  });
+  #resting: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(place: DrawingPlace, emit: Emit) {
+    this.#place = place;
+    this.#emit = emit;
+  }
+
+  /**
+   * To be called whenever the session has another status, or the attributes ask for other drawings.
+   * A diagram answers one call after the other, and these take as long as a whole diagram: they wait
+   * until nothing else is under way. Iterations are shown without them.
+   */
+  update(): void {
+    const { session } = this.#place;
+    clearTimeout(this.#resting);
+    if (session.status === 'iterating') this.#show(undefined);
+    else if (session.status !== 'ready') this.#stop();
+    else if (!session.isMoving) this.#show(session.shown);
+    else this.#resting = setTimeout(() => this.#show(session.shown), dragRest);
+  }
+
+  dispose(): void {
+    clearTimeout(this.#resting);
+    this.#stop();
+  }
+
+  #stop(): void {
+    for (const each of [this.#dual, this.#distances, this.#parts]) each.stop();
+  }
+
+  #fail(what: string, cause: unknown): void {
+    const { message } = sentence(what, cause);
+    this.#emit('error', { type: 'computefailure', message, cause });
+  }
+
+  /** Shows what the attributes ask for of this diagram; nothing without a diagram. */
+  #show(shown: ShownDiagram | undefined): void {
+    const { layers, exploded } = this.#place.attributes;
+    void this.#dual.update(layers.includes('dual') ? shown : undefined);
+    void this.#distances.update(layers.includes('distances') ? shown : undefined);
+    void this.#parts.update(exploded > 0 ? shown : undefined);
+  }
+
+  /** Moves the regions of the exploded view as far as the attributes ask for. */
+  spread(): void {
+    const { attributes, model, stage } = this.#place;
+    model?.drawing.spread(attributes.exploded);
+    stage.reach = 1 + widestSpread * attributes.exploded;
+    stage.invalidate();
+  }
+
+  async #makeParts(diagram: Diagram, signal: AbortSignal): Promise<Parts | undefined> {
+    const partition = await diagram.partition({ signal });
+    const { model, stage } = this.#place;
+    const regions = partition.regions.area.length;
+    const triangles = await model?.builder.parts(partition, model.drawing.tones);
+    signal.throwIfAborted();
+    if (!model || !triangles) return undefined;
+    const parts = model.drawing.prepareParts(triangles);
+    for (let isFirst = true; parts.uploadMore(); isFirst = false) {
+      if (isFirst) await stage.compile(parts.object);
+      stage.invalidate();
+      await nextFrame();
+      signal.throwIfAborted();
+    }
+    return { regions, parts };
+  }
+
+  #showParts(shown: Parts | undefined): void {
+    this.#place.model?.drawing.setParts(shown?.parts);
+    this.spread();
+    const detail = shown && { regions: shown.regions, triangles: shown.parts.triangleCount };
+    this.#emit('exploded', detail ?? null);
+  }
+
+  async #makeDistances(diagram: Diagram, signal: AbortSignal): Promise<Distances | undefined> {
+    const { model } = this.#place;
+    if (!model) return undefined;
+    const { mesh } = model.drawing;
+    const { points, cells, faceLabel } = await diagram.fetchData({ signal });
+    const { vertex, points: corners } = cornersToAsk(mesh, { faceLabel });
+    const atPoints = await diagram.locate(points, { signal });
+    const atCorners = await diagram.locate(corners, { signal });
+    const atVertices = new Float64Array(mesh.positions.length / 3).fill(Infinity);
+    for (let i = 0; i < vertex.length; ++i) atVertices[vertex[i]] = atCorners.distance[i];
+    let longest = 0;
+    for (const { distance } of [atPoints, atCorners]) {
+      for (const each of distance) if (each > longest && each < Infinity) longest = each;
+    }
+    const triangles = await model.builder.distances({
+      cells: { cells, points: { position: points.position } },
+      faceLabel,
+      atPoints: atPoints.distance,
+      atVertices,
+    });
+    return triangles && { triangles, scale: distanceScale(longest) };
+  }
+
+  #showDistances(distances: Distances | undefined): void {
+    const { model, stage, legend } = this.#place;
+    model?.drawing.setDistances(distances?.triangles, distances?.scale);
+    legend.showDistances(distances?.scale);
+    stage.invalidate();
+    this.#emit('distances', distances ? { longest: distances.scale.longest } : null);
+  }
+
+  async #makeDual(diagram: Diagram, signal: AbortSignal): Promise<Dual | undefined> {
+    const paths = await diagram.dualPaths({ signal });
+    const dual = await diagram.dual({ signal });
+    const violations = await diagram.violations({ signal });
+    const { model } = this.#place;
+    if (!model) return undefined;
+    const { drawing, picker } = model;
+    await picker.prepared;
+    const siteCount = diagram.sites.face.filter((face) => face >= 0).length;
+    const inside = chainEnds(drawing.mesh, paths);
+    const beside = await boundarySides(drawing.mesh, dual, siteCount, (place) =>
+      picker.nearest(place),
+    );
+    const ends = new Float32Array(inside.length + beside.length);
+    ends.set(inside);
+    ends.set(beside, inside.length);
+    return { ends, polygons: dual.faces.offset.length - 1, violations };
+  }
+
+  #showDual(dual: Dual | undefined): void {
+    this.#place.model?.drawing.setDual(dual?.ends ?? new Float32Array());
+    this.#place.stage.invalidate();
+    this.#emit('dual', dual ? { polygons: dual.polygons, violations: dual.violations } : null);
+  }
+}

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+//
+// The model's own material, read from its files while the layer is shown.
+
+import type { DrawingPlace } from './derived_drawings.js';
+import type { Emit } from '../element/events.js';
+import type { OriginalMaterial } from '../drawing/original_material.js';
+import type { OpenModel } from '../open_model.js';
+
+export class OriginalLayer {
+  readonly #place: DrawingPlace;
+  readonly #emit: Emit;
+  /** The model whose material was last asked for. */
+  #shown: OpenModel | undefined;
+
+  constructor(place: DrawingPlace, emit: Emit) {
+    this.#place = place;
+    this.#emit = emit;
+  }
+
+  /** Shows the material if the attributes ask for it. */
+  async update(): Promise<void> {
+    const { attributes, model } = this.#place;
+    const wanted = attributes.layers.includes('original') ? model : undefined;
+    if (wanted === this.#shown) return;
+    this.#shown = wanted;
+    let problem: string | undefined;
+    const material = await this.#read(wanted).catch((error: Error) => {
+      problem = error.message;
+      return undefined;
+    });
+    // Another model may be there by now, or none.
+    if (wanted !== this.#shown || model !== this.#place.model) {
+      material?.dispose();
+      return;
+    }
+    model?.drawing.setOriginal(material);
+    this.#place.stage.invalidate();
+    const textures = material?.textures ?? 0;
+    this.#emit('original', wanted ? { isFound: material !== undefined, textures, problem } : null);
+  }
+
+  async #read(model: OpenModel | undefined): Promise<OriginalMaterial | undefined> {
+    if (!model) return undefined;
+    const { originalMaterial } = await import('../drawing/original_material.js');
+    const { files, drawing, builder } = model;
+    const material = await originalMaterial(files, drawing.mesh.frame, builder);
+    if (material) await this.#place.stage.compile(material.object);
+    return material;
+  }
+}

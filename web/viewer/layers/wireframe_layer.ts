@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+//
+// The edges of the model's triangles, found while the layer is shown.
+
+import type { DrawingPlace } from './derived_drawings.js';
+import { meshEdges } from '../buffers/mesh_edges.js';
+import type { OpenModel } from '../open_model.js';
+
+export class WireframeLayer {
+  readonly #place: DrawingPlace;
+  /** The model whose edges have been asked for. */
+  #model: OpenModel | undefined;
+
+  constructor(place: DrawingPlace) {
+    this.#place = place;
+  }
+
+  /** Finds the edges if the attributes ask for them. */
+  async update(): Promise<void> {
+    const { attributes, model, stage } = this.#place;
+    if (!model || model === this.#model || !attributes.layers.includes('wireframe')) return;
+    this.#model = model;
+    const edges = await model.builder.edges();
+    if (model !== this.#place.model) return;
+    model.drawing.setEdges(edges ?? meshEdges(model.drawing.mesh.indices));
+    stage.invalidate();
+  }
+}

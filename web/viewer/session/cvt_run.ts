@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+//
+// A centroidal tessellation that plays, pauses and goes on.
+
+import type { CvtMethod, CvtState, Mesh, Metric } from 'geodesic-voronoi';
+import type { PrepareDiagram, PreparedDiagram } from '../buffers/diagram_geometry.js';
+import { nextFrame } from '../stage/next_frame.js';
+import { shallowEqual } from './shallow_equal.js';
+import { type Sites, surfacePointsOf } from './site_history.js';
+
+/** How sites move to the centroids of their regions; see `CvtOptions` of the library. */
+export interface CvtSettings {
+  method?: CvtMethod;
+  metric?: Metric;
+  /** It is done when an iteration lowers the energy by no more than this share. */
+  energyTolerance?: number;
+  /** Per input vertex. */
+  density?: ArrayLike<number>;
+}
+
+/** An iteration, ready to be drawn. */
+export interface PreparedIteration {
+  state: CvtState;
+  /** Its diagram. */
+  prepared: PreparedDiagram | undefined;
+  /** From asking for it to having it. */
+  milliseconds: number;
+}
+
+/** A state, or none after the last one. */
+interface TimedState {
+  state: CvtState | undefined;
+  milliseconds: number;
+}
+
+export interface CvtRunListener {
+  iterated(iteration: PreparedIteration): void;
+  /** Called when it stops playing, by itself or on request. */
+  paused(): void;
+  failed(error: unknown): void;
+}
+
+/**
+ * A centroidal tessellation that plays up to some iteration and pauses. The next iteration is
+ * computed while one is prepared and drawn. A pause takes effect at once: no further iteration is
+ * reported, and one that was under way is kept, and reported first when it plays again.
+ */
+export class CvtRun {
+  readonly #settings: CvtSettings;
+  readonly #listener: CvtRunListener;
+  readonly #stopping = new AbortController();
+  readonly #sites: Sites;
+  readonly #prepare: PrepareDiagram;
+  readonly #states: AsyncGenerator<CvtState, void, void>;
+  /** The iteration after the last one reported. */
+  #asked: Promise<PreparedIteration | undefined> | undefined;
+  /** The state after that one. */
+  #coming: Promise<TimedState> | undefined;
+  #playing: { until: number } | undefined;
+  #latest: PreparedIteration | undefined;
+  #done = false;
+
+  constructor(
+    mesh: Mesh,
+    sites: Sites,
+    settings: CvtSettings,
+    prepare: PrepareDiagram,
+    listener: CvtRunListener,
+  ) {
+    this.#settings = settings;
+    this.#sites = sites;
+    this.#prepare = prepare;
+    this.#listener = listener;
+    this.#states = mesh.cvt(surfacePointsOf(sites), {
+      ...settings,
+      // The caller of `play` decides when it ends.
+      iterations: 2 ** 31 - 1,
+      diagrams: true,
+      signal: this.#stopping.signal,
+    });
+  }
+
+  hasSettings(settings: CvtSettings): boolean {
+    return shallowEqual(settings, this.#settings);
+  }
+
+  get playing(): boolean {
+    return this.#playing !== undefined;
+  }
+
+  /** Whether no iteration lowers the energy any more. */
+  get done(): boolean {
+    return this.#done;
+  }
+
+  get status(): 'running' | 'paused' | 'done' {
+    if (this.playing) return 'running';
+    return this.#done ? 'done' : 'paused';
+  }
+
+  get latest(): PreparedIteration | undefined {
+    return this.#latest;
+  }
+
+  /** The number of the last iteration; 0 also before it. */
+  get iteration(): number {
+    return this.#latest?.state.iteration ?? 0;
+  }
+
+  play(until: number): void {
+    const isPlaying = this.playing;
+    this.#playing ??= { until };
+    this.#playing.until = until;
+    if (!isPlaying) void this.#play(this.#playing);
+  }
+
+  pause(): void {
+    if (!this.#playing) return;
+    this.#playing = undefined;
+    this.#listener.paused();
+  }
+
+  /** Ends it for good; the listener hears nothing any more. */
+  stop(): void {
+    this.#playing = undefined;
+    this.#stopping.abort();
+    void this.#states.return();
+    // Diagrams that were computed but never reported.
+    this.#asked?.then((next) => next?.state.diagram?.dispose()).catch(() => {});
+    this.#coming?.then(({ state }) => state?.diagram?.dispose()).catch(() => {});
+  }
+
+  async #play(playing: { until: number }): Promise<void> {
+    try {
+      while (this.#playing === playing) {
+        const next = await this.#ask();
+        if (this.#playing !== playing) return;
+        this.#asked = undefined;
+        if (next) {
+          this.#latest = { ...next, prepared: undefined }; // large, and drawn now
+          this.#listener.iterated(next);
+        } else {
+          this.#done = true;
+        }
+        if (this.#playing !== playing) return;
+        if (!next || next.state.iteration >= playing.until) this.pause();
+        else await nextFrame();
+      }
+    } catch (error) {
+      if (this.#playing !== playing) return;
+      this.#playing = undefined;
+      this.#listener.failed(error);
+    }
+  }
+
+  #ask(): Promise<PreparedIteration | undefined> {
+    if (!this.#asked) {
+      this.#asked = this.#prepareNext();
+      // After a stop nobody may be waiting to handle a rejection.
+      this.#asked.catch(() => {});
+    }
+    return this.#asked;
+  }
+
+  async #prepareNext(): Promise<PreparedIteration | undefined> {
+    const { state, milliseconds } = await (this.#coming ?? this.#nextState());
+    this.#coming = undefined;
+    if (!state) return undefined;
+    if (this.#playing && state.iteration < this.#playing.until) {
+      this.#coming = this.#nextState();
+      this.#coming.catch(() => {});
+    }
+    const isWanted = !this.#stopping.signal.aborted;
+    const prepared =
+      state.data && isWanted ? await this.#prepare(state.data, this.#sites) : undefined;
+    return { state, prepared, milliseconds };
+  }
+
+  async #nextState(): Promise<TimedState> {
+    const start = performance.now();
+    const { value: state } = await this.#states.next();
+    return { state: state ?? undefined, milliseconds: performance.now() - start };
+  }
+}

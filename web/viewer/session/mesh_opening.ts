@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+//
+// From a model's files to its mesh, with sites sampled on it and made ready to be drawn.
+
+import type {
+  GeodesicVoronoi,
+  Mesh,
+  MeshOptions,
+  Sampling,
+  SurfacePoints,
+  TaskOptions,
+} from 'geodesic-voronoi';
+import { DrawingBuilder } from '../buffers/drawing_builder.js';
+import { sentence } from './failure.js';
+import { lastSegment, type NamedFiles } from './model_files.js';
+import { SceneMesh } from '../buffers/scene_mesh.js';
+import { shallowEqual } from './shallow_equal.js';
+import type { PointList, Tints } from './site_history.js';
+
+/** How sites are sampled, by default as the library does. */
+export interface SiteSampling {
+  count: number;
+  seed?: number | undefined;
+  sampling?: Sampling | undefined;
+  /** The least number per component, as far as there are enough sites. */
+  perComponent?: number | undefined;
+  /** Per input vertex: random sites are closer where it is greater. */
+  density?: ArrayLike<number> | undefined;
+}
+
+/** How a model is opened. */
+export interface Opening {
+  build: Pick<MeshOptions, 'maxEdge' | 'weld' | 'orientation' | 'minComponent'>;
+  /** How sites are sampled; it may change while the model is opened. */
+  siteSampling: () => SiteSampling;
+  /** Sites and density of another mesh of the same model, which are put where they were. */
+  kept?: Kept | undefined;
+}
+
+interface Kept {
+  mesh: Mesh;
+  /** In place of sampled sites; undefined if these are wanted. */
+  sites: () => SurfacePoints | undefined;
+  tints: Tints;
+}
+
+/** Reads a model's files. */
+export type Reader = (
+  signal: AbortSignal,
+  onProgress: (share: number) => void,
+) => Promise<NamedFiles>;
+
+export interface OpenedMesh {
+  mesh: Mesh;
+  name: string;
+  /** The files that the mesh was read from. */
+  files: NamedFiles;
+  sites: PointList;
+  tints: Tints;
+  scene: SceneMesh;
+  /** Makes further drawings of the mesh. */
+  builder: DrawingBuilder;
+}
+
+/** The shares of the work that are done when the files have been read, and when the mesh is there. */
+const readShare = 0.4;
+const meshShare = 0.8;
+
+/** Opens a mesh with its sites. If any step fails or is aborted, nothing stays open. */
+export async function openMesh(
+  library: GeodesicVoronoi,
+  read: Reader,
+  { build, siteSampling, kept }: Opening,
+  { signal, onProgress }: { signal: AbortSignal; onProgress: (share: number) => void },
+): Promise<OpenedMesh> {
+  // The builder's worker starts while the files are read.
+  const builder = new DrawingBuilder();
+  let mesh: Mesh | undefined;
+  try {
+    const between = (from: number, to: number) => (share: number) =>
+      onProgress(from + (to - from) * share);
+    const files = await read(signal, between(0, readShare));
+    const building = { signal, onProgress: between(readShare, meshShare) };
+    const options = { ...build, file: files.file, ...building };
+    mesh = await library.mesh(files.files, options).catch((error) => {
+      throw sentence(`${files.name} cannot be opened`, error);
+    });
+    const placing = { signal, onProgress: between(meshShare, 1) };
+    const rest = Promise.all([keptTints(mesh, kept, { signal }), sceneOf(mesh, builder, signal)]);
+    const [sites, [tints, scene]] = await Promise.all([
+      firstSites(mesh, { siteSampling, kept }, rest, placing),
+      rest,
+    ]);
+    signal.throwIfAborted();
+    const name = lastSegment(mesh.info.origin.file);
+    return { mesh, name, files, sites, tints, scene, builder };
+  } catch (error) {
+    mesh?.dispose();
+    builder.dispose();
+    throw error;
+  }
+}
+
+async function sceneOf(
+  mesh: Mesh,
+  builder: DrawingBuilder,
+  signal: AbortSignal,
+): Promise<SceneMesh> {
+  const arrays = await builder.scene(mesh);
+  signal.throwIfAborted();
+  return new SceneMesh(arrays ?? (await import('../buffers/scene_arrays.js')).sceneArrays(mesh));
+}
+
+/** The sites that are wanted when the rest is done. */
+async function firstSites(
+  mesh: Mesh,
+  { siteSampling, kept }: Omit<Opening, 'build'>,
+  rest: Promise<unknown>,
+  task: TaskOptions,
+): Promise<PointList> {
+  for (;;) {
+    const wanted = siteSampling();
+    const sites = await (keptSites(mesh, kept, task) ?? sampleSites(mesh, wanted, task));
+    await rest;
+    if (shallowEqual(siteSampling(), wanted)) return sites;
+  }
+}
+
+/** The sites that are kept, where they were. */
+function keptSites(
+  mesh: Mesh,
+  kept: Kept | undefined,
+  task: TaskOptions,
+): Promise<PointList> | undefined {
+  const sites = kept?.sites();
+  return (
+    sites &&
+    kept?.mesh
+      .positionsOf(sites)
+      .then((positions) => mesh.closestPoints(positions, task))
+      .catch((error) => {
+        throw sentence('The sites cannot be kept', error);
+      })
+  );
+}
+
+/** The painted density at the vertices: what it was at the closest points of the mesh before. */
+async function keptTints(mesh: Mesh, kept: Kept | undefined, task: TaskOptions): Promise<Tints> {
+  if (!kept?.tints) return undefined;
+  const { tints } = kept;
+  const { indices } = kept.mesh;
+  // Vertices that no triangle has may be anywhere.
+  const places = mesh.positions.map((x) => (Number.isFinite(x) ? x : 0));
+  const { face, bary } = await kept.mesh.closestPoints(places, task);
+  return Float32Array.from(face, (f, v) =>
+    [0, 1, 2].reduce((sum, k) => sum + bary[3 * v + k] * tints[indices[3 * f + k]], 0),
+  );
+}
+
+export async function sampleSites(
+  mesh: Mesh,
+  { count, seed, sampling = 'random', perComponent = 0, density }: SiteSampling,
+  task: TaskOptions,
+): Promise<PointList> {
+  if (count <= 0) return { face: [], bary: [] };
+  const most = Math.floor(count / mesh.info.components);
+  const sampled = mesh.sampleSites(count, {
+    seed,
+    sampling,
+    perComponent: Math.min(perComponent, most),
+    // Other samplings have none.
+    density: sampling === 'random' ? density : undefined,
+    ...task,
+  });
+  return sampled.catch((error) => {
+    throw sentence('The sites cannot be placed', error);
+  });
+}

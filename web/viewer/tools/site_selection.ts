@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+//
+// The selected site, and what keys do with it.
+
+import { Vector3 } from 'three';
+import type { Sites } from '../session/site_history.js';
+import type { Viewer } from '../viewer.js';
+
+/** One of the sites or none; it stays selected when it moves and when others come and go. */
+export class SiteSelection {
+  readonly #viewer: Viewer;
+  readonly #changed: () => void;
+  /** The site's identity. */
+  #id: number | undefined;
+  /** The site that `nudge` moved last, and the list of sites after that: any other edit replaces the list. */
+  #nudged: { index: number; sites: Sites } | undefined;
+
+  constructor(viewer: Viewer, changed: () => void) {
+    this.#viewer = viewer;
+    this.#changed = changed;
+  }
+
+  /** The index of the selected site, -1 for none. */
+  get index(): number {
+    return this.#viewer.session.sites.findIndex((site) => site.id === this.#id);
+  }
+
+  /** Selecting a hidden site turns the camera until it is seen. */
+  set index(index: number) {
+    const { model, session, stage } = this.#viewer;
+    const site = session.sites[index];
+    this.select(site?.id);
+    if (!model || !site || this.#viewer.sitePosition(index)) return;
+    const normal = new Float32Array(3);
+    model.drawing.mesh.writeNormal(site.face, site.bary, normal, 0);
+    stage.lookAgainst(new Vector3().fromArray(normal));
+  }
+
+  /** Selects a site by its identity. */
+  select(id: number | undefined): void {
+    this.#id = id;
+    this.#changed();
+  }
+
+  /** Selects the next site in the list, or the one before. */
+  step(step: 1 | -1): void {
+    const count = this.#viewer.session.sites.length;
+    if (count === 0) return;
+    const { index } = this;
+    if (index < 0) this.index = step > 0 ? 0 : count - 1;
+    else this.index = (index + step + count) % count;
+  }
+
+  /**
+   * Moves the selected site so many CSS pixels over the view; it stays where there is no surface. Until
+   * something else is done, further ones are the same step to undo.
+   */
+  nudge(right: number, down: number): void {
+    const { index } = this;
+    const { session, stage, tools } = this.#viewer;
+    const from = this.#viewer.sitePosition(index);
+    if (!from) return;
+    const place = tools.pick(stage.toDevice(from.x + right, from.y + down));
+    if (!place) return;
+    const isSame = this.#nudged?.sites === session.sites && this.#nudged.index === index;
+    this.#viewer.moveSite(index, place, isSame && !session.canRedo);
+    this.#nudged = { index, sites: session.sites };
+  }
+}
