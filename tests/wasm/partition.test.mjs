@@ -368,6 +368,16 @@ test('a glTF brings its normals and texture coordinates', async () => {
   assert.equal(plain.normals.length + plain.uvs.length, 0);
 });
 
+test('where there is no normal, that of the triangle takes its place', async () => {
+  const { positions, indices } = grid(3);
+  const upright = positions.map((_, i) => [positions[i], 0, -positions[i - 1]][i % 3]);
+  const normals = positions.map(() => 0);
+  const mesh = await gvd.mesh({ positions: upright, indices, normals });
+  const diagram = await mesh.voronoi({ vertex: [0, 15] });
+  const { vertex } = readPly(partitionPly(await diagram.partition(), { mesh }));
+  for (const { ny } of vertex) assert.equal(ny, 1);
+});
+
 test('normals and texture coordinates that are not finite do not get into files', async () => {
   const shape = grid(3);
   const count = shape.positions.length / 3;

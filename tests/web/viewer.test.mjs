@@ -379,6 +379,23 @@ suite('a diagram that changes', () => {
     }
     library.dispose();
   });
+
+  test('one of another metric or detail is not changed', async () => {
+    const library = await load();
+    const mesh = await library.mesh(octahedron());
+    const settings = { metric: 'exact', detail: 0 };
+    const middle = { face: [0], bary: [1, 1, 1].map((x) => x / 3) };
+    const sites = new SiteHistory().createAll(middle);
+    const diagram = await mesh.voronoi(middle);
+    const summary = DiagramSummary.of(diagram.data);
+    const shown = shownDiagram({ ...settings, sites }, diagram, summary);
+    const moved = [{ ...sites[0], face: 1 }];
+    for (const other of [{ metric: 'dgpc' }, { detail: 1 }])
+      assert.equal(await changeDiagram(shown, { ...settings, ...other, sites: moved }), undefined);
+    assert.equal(shown.diagram, diagram);
+    assert.equal((await changeDiagram(shown, { ...settings, sites: moved })).length, 1);
+    library.dispose();
+  });
 });
 
 suite('model frame', () => {
@@ -684,9 +701,10 @@ suite('latest task', () => {
     await turn();
     assert.deepEqual(log, ['start a', 'abort a', 'start b', 'abort b', 'start c']);
     task.hurry();
+    task.request('d', { patient: true });
     task.cancel();
     await turn();
-    assert.equal(log.at(-1), 'abort c');
+    assert.equal(log.at(-1), 'abort c', 'what waits is dropped, too');
   });
 });
 
