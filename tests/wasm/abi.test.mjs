@@ -7,7 +7,7 @@ import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
 import { before, test } from 'node:test';
 import { cvtMethods, metrics, orientations, samplings, worstRegions } from '../../dist/results.js';
-import { gltfLimitNames } from '../../dist/types.js';
+import { gltfLimitNames } from '../../dist/options.js';
 import { WasmModule } from '../../dist/wasm_module.js';
 import { octahedron } from './meshes.mjs';
 import { fails } from './expectations.mjs';

@@ -283,6 +283,8 @@ test('limits of a glTF can be lowered and raised; the error names the one to rai
   const limits = { maxJsonBytes: 2 ** 20, maxObjects: 100, maxVertices: 6, maxTriangles: 8 };
   const mesh = await gvd.mesh(bytes, { limits: { ...limits, maxZeroElements: 0 } });
   assert.equal(mesh.info.faces, 8);
+  // As of any option, undefined stands for the default.
+  assert.equal((await gvd.mesh(bytes, { limits: { maxVertices: undefined } })).info.faces, 8);
 });
 
 test('after a mesh that failed the library still works', async () => {

@@ -189,12 +189,14 @@ test('mesh', async () => {
     (content) => gvd.mesh({ 'a.glb': bytes, 'a.bin': content }),
     /files by their paths/,
   );
-  await refused([null, 5, 'x'], (limits) => gvd.mesh(bytes, { limits }), /^limits is /);
-  await refused(
-    [{ triangles: 5 }, { toString: 5 }],
-    (limits) => gvd.mesh(bytes, { limits }),
-    /name of a limit/,
-  );
+  for (const source of [bytes, octahedron()]) {
+    await refused([null, 5, 'x'], (limits) => gvd.mesh(source, { limits }), /^limits is /);
+    await refused(
+      [{ triangles: 5 }, { toString: 5 }],
+      (limits) => gvd.mesh(source, { limits }),
+      /name of a limit/,
+    );
+  }
   await refused(
     [null, -1, 0.5, NaN, '5', 2 ** 32],
     (maxTriangles) => gvd.mesh(bytes, { limits: { maxTriangles } }),

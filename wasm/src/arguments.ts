@@ -18,17 +18,17 @@ import {
   type WorstRegion,
 } from './results.js';
 import type { Triangles } from './triangles.js';
-import {
-  gltfLimitNames,
-  type Density,
-  type GltfLimits,
-  type MeshArrays,
-  type MeshOptions,
-  type MeshSource,
-  type ModelFile,
-  type ModelFiles,
-  type SurfacePointsInput,
-} from './types.js';
+import { gltfLimitNames } from './options.js';
+import type {
+  Density,
+  GltfLimits,
+  MeshArrays,
+  MeshOptions,
+  MeshSource,
+  ModelFile,
+  ModelFiles,
+  SurfacePointsInput,
+} from './options.js';
 
 /** Each level about doubles the segments: ten levels make a thousand of one. */
 export const maxDetail = 10;
@@ -68,8 +68,8 @@ export function toMeshInput(
   source: MeshSource,
   { limits, file }: Pick<MeshOptions, 'file'> & { limits: GltfLimits },
 ): Triangles | FileInput {
-  if (isMeshArrays(source)) return toTriangles(source);
-  return { files: toFiles(source), limits: toLimits(limits), file: toFileName(file) };
+  const reading = { limits: toLimits(limits), file: toFileName(file) };
+  return isMeshArrays(source) ? toTriangles(source) : { files: toFiles(source), ...reading };
 }
 
 /** Without indices, bytes may also be a file of that name. */
@@ -145,11 +145,12 @@ function isModelFile(value: unknown): value is ModelFile {
 
 function toLimits(limits: GltfLimits): GltfLimits {
   if (!isObject(limits)) throw invalidArgument(`limits is ${show(limits)}, not an object`);
-  for (const [name, most] of Object.entries(limits)) {
+  const given = Object.entries(limits).filter(([, most]) => most !== undefined);
+  for (const [name, most] of given) {
     toOneOf('the name of a limit', name, gltfLimitNames);
     toInteger(`limits.${name}`, most, 0, maxLimit);
   }
-  return { ...limits };
+  return Object.fromEntries(given);
 }
 
 /** Points by triangles and coordinates, by vertices, or by places in space, as copies. */

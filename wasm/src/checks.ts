@@ -4,7 +4,7 @@
 
 import type { CompiledModule } from './compile.js';
 import { invalidArgument } from './errors.js';
-import type { TaskOptions } from './types.js';
+import type { TaskOptions } from './options.js';
 
 /** The default of every option; undefined for an option without one, or that has to be given. */
 export type DefaultsOf<Options> = { [Name in keyof Required<Options>]: Options[Name] | undefined };

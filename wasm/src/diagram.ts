@@ -38,14 +38,13 @@ import type {
 } from './results.js';
 import type {
   AccuracyOptions,
-  Diagram,
   DualOptions,
   PartitionOptions,
-  Region,
   RepairOptions,
   SurfacePointsInput,
   TaskOptions,
-} from './types.js';
+} from './options.js';
+import type { Diagram, Region } from './types.js';
 import type { Argument } from './wasm_module.js';
 
 export class EngineDiagram implements Diagram {

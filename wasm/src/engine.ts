@@ -14,7 +14,8 @@ import type {
   SurfacePoints,
 } from './results.js';
 import type { Triangles } from './triangles.js';
-import type { CvtState, GltfLimits, ModelFiles, TaskOptions } from './types.js';
+import type { GltfLimits, ModelFiles, TaskOptions } from './options.js';
+import type { CvtState } from './types.js';
 import type { Argument } from './wasm_module.js';
 
 /** Where to find the modules. */

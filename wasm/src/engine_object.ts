@@ -7,7 +7,7 @@ import type { Engine, Handle } from './engine.js';
 import { GeodesicVoronoiError } from './errors.js';
 import type { GivenPoints } from './arguments.js';
 import type { SurfacePoints } from './results.js';
-import type { TaskOptions } from './types.js';
+import type { TaskOptions } from './options.js';
 import type { Argument } from './wasm_module.js';
 
 /** `Symbol.dispose`, also where the runtime does not know it yet. */

@@ -4,7 +4,7 @@
 import { toTask, toTaskOptions } from './checks.js';
 import { toFileName, toFiles } from './arguments.js';
 import { type FoundModel, modelIn, modelsIn } from './input/read_model.js';
-import type { MeshOptions, ModelFile, ModelFiles, TaskOptions } from './types.js';
+import type { MeshOptions, ModelFile, ModelFiles, TaskOptions } from './options.js';
 
 export type { FoundModel };
 

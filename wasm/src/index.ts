@@ -24,6 +24,7 @@ import {
 import type { GeodesicVoronoi } from './types.js';
 import { startWorkerEngine } from './worker_engine.js';
 
+export type * from './options.js';
 export type * from './results.js';
 export { mostMislabelled } from './results.js';
 export type * from './types.js';

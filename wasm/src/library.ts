@@ -9,7 +9,8 @@ import { meshDefaults, toMeshBuild, toMeshInput } from './arguments.js';
 import { disposeSymbol } from './engine_object.js';
 import { EngineMesh } from './mesh.js';
 import type { Triangles } from './triangles.js';
-import type { GeodesicVoronoi, Mesh, MeshOptions, MeshSource } from './types.js';
+import type { MeshOptions, MeshSource } from './options.js';
+import type { GeodesicVoronoi, Mesh } from './types.js';
 
 export class Library implements GeodesicVoronoi {
   readonly #engine: Engine;

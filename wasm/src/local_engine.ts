@@ -31,7 +31,7 @@ import {
   subdivisionNote,
 } from './subdivision.js';
 import type { Triangles } from './triangles.js';
-import type { TaskOptions } from './types.js';
+import type { TaskOptions } from './options.js';
 import { type Argument, WasmModule } from './wasm_module.js';
 
 /** Numbers that are copied between two looks at the clock. */

@@ -54,18 +54,14 @@ import { extended } from './subdivision.js';
 import type { Triangles } from './triangles.js';
 import type {
   CvtOptions,
-  CvtState,
-  CvtStateWithData,
-  CvtStateWithDiagram,
-  Diagram,
   DistancesOptions,
-  Mesh,
   RemeshOptions,
   SampleOptions,
   SurfacePointsInput,
   TaskOptions,
   VoronoiOptions,
-} from './types.js';
+} from './options.js';
+import type { CvtState, CvtStateWithData, CvtStateWithDiagram, Diagram, Mesh } from './types.js';
 
 /** The approximate share of sampling where components without a site get one afterwards. */
 const samplingShare = 0.8;

@@ -5,7 +5,7 @@
 import { isObject } from './checks.js';
 import { GeodesicVoronoiError, invalidArgument } from './errors.js';
 import type { MeshInfo } from './results.js';
-import type { SurfacePointsInput } from './types.js';
+import type { SurfacePointsInput } from './options.js';
 
 /** The content of a file of points. */
 export interface PointsFile {

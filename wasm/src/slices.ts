@@ -3,7 +3,7 @@
 // Long work on the calling thread, in slices: between them the thread serves others, progress is
 // reported, and the caller may abort.
 
-import type { TaskOptions } from './types.js';
+import type { TaskOptions } from './options.js';
 
 /** How long a slice of work may keep its thread from anything else. */
 const sliceMilliseconds = 12;

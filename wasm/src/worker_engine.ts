@@ -5,7 +5,7 @@
 
 import type { Engine, EngineSources, Handle } from './engine.js';
 import { GeodesicVoronoiError, invalidArgument } from './errors.js';
-import type { TaskOptions } from './types.js';
+import type { TaskOptions } from './options.js';
 import type { Loaded, Port, Reply, Request } from './worker_server.js';
 
 /** A `Worker`, seen from outside. */

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // What each command does.
+
 import { GeodesicVoronoiError } from '../errors.js';
-import {
-  mostMislabelled,
-  type MeshInfo,
-  type Metric,
-  type PolygonMesh,
-  type Violation,
-} from '../results.js';
+import type { MeshInfo, PolygonMesh, Violation } from '../results.js';
 import { counted, integer } from '../sentences.js';
-import type { CvtOptions, CvtState, Diagram, Mesh } from '../types.js';
+import type { CvtOptions } from '../options.js';
+import type { CvtState, Diagram, Mesh } from '../types.js';
+import { noteCoarseTessellation, openDiagram } from './diagrams.js';
 import {
   isJsonReport,
   toDiagramEncoder,
@@ -34,8 +31,6 @@ import {
   onSurface,
   openMesh,
   openWithSites,
-  type Reading,
-  type SiteSource,
   withProgress,
   writeNotes,
 } from './sites.js';
@@ -115,7 +110,7 @@ async function factsOf(
 async function diagram({ mesh: path, values }: Request<'diagram'>): Promise<void> {
   const encode = toDiagramEncoder(values);
   const output = await Output.open(values.output);
-  const { mesh, diagram } = await compute(path, output, values);
+  const { mesh, diagram } = await openDiagram(path, output, values);
   await output.write(encode(diagram, lengthsOf(mesh, values)));
 
   const { arcs, voronoiPoints } = diagram.data;
@@ -134,7 +129,7 @@ async function locate({ mesh: path, values }: Request<'locate'>): Promise<void> 
   const encode = toLocatedEncoder(values);
   const output = await Output.open(values.output);
   const points = await readPoints(values.points);
-  const { mesh, diagram } = await compute(path, output, values);
+  const { mesh, diagram } = await openDiagram(path, output, values);
   const located = await diagram.locate(await onSurface(mesh, points, values));
   await output.write(encode({ mesh, ...located }, lengthsOf(mesh, values)));
 }
@@ -205,7 +200,7 @@ async function cvt({ mesh: path, values }: Request<'cvt'>): Promise<void> {
   });
   if (!values.quiet) {
     const diagram = await mesh.voronoi(last, { metric: settings.metric });
-    writeNotes(await coarseness(diagram, { more: inaccurate }), values);
+    await noteCoarseTessellation(diagram, values);
   }
   const position = await mesh.positionsOf(last);
   await output.write(encode({ mesh, sites: last, position, energy }, lengthsOf(mesh, values)));
@@ -222,7 +217,7 @@ async function cvt({ mesh: path, values }: Request<'cvt'>): Promise<void> {
 async function partition({ mesh: path, values }: Request<'partition'>): Promise<void> {
   const encode = toPartitionEncoder(values);
   const output = await Output.open(values.output);
-  const { mesh, diagram } = await compute(path, output, values);
+  const { mesh, diagram } = await openDiagram(path, output, values);
   const partition = await diagram.partition({
     leaveOutIndifferent: values['leave-out-indifferent'],
     leaveOutUnreachable: values['leave-out-unreachable'],
@@ -245,7 +240,7 @@ async function dual({ mesh: path, values }: Request<'dual'>): Promise<void> {
   const encode = toPolygonEncoder(values);
   const output = await Output.open(values.output);
   const { repair: addsSites } = values;
-  const { mesh, diagram: given } = await compute(path, output, values, { addsSites });
+  const { mesh, diagram: given } = await openDiagram(path, output, values, { addsSites });
   const diagram = values.repair
     ? await withProgress(values, (onProgress) =>
         explained(mesh, () => given.repair({ maxAdded: values['max-added'], onProgress })),
@@ -290,7 +285,7 @@ async function remesh({ mesh: path, values }: Request<'remesh'>): Promise<void> 
       mesh.remesh(sites, { ...settings, maxAdded: values['max-added'], onProgress }),
     ),
   );
-  if (!values.quiet) writeNotes(await coarseness(diagram, { more: inaccurate }), values);
+  await noteCoarseTessellation(diagram, values);
   const first = ('vertex' in sites ? sites.vertex : sites.face).length;
   const polygons = await diagram.dual();
   const quality = await diagram.remeshQuality();
@@ -365,49 +360,4 @@ function polygonSummary(first: number, diagram: Diagram, { topology }: PolygonMe
 /** A line about a result that went to a file. */
 function summarise(output: Output, { quiet }: Notices, line: string): void {
   if (output.isFile && !quiet) process.stderr.write(`${line}\n`);
-}
-
-/** What else is inaccurate in a tessellation then: squared distances are interpolated within faces. */
-const inaccurate = ', energies and centroids are inaccurate';
-
-/** Where faces are too coarse for a diagram: how much that costs, and what helps. */
-async function coarseness(
-  diagram: Diagram,
-  { more = '', remedy = '' }: { more?: string; remedy?: string },
-): Promise<string[]> {
-  const { mislabelled, maxEdge } = await diagram.accuracy();
-  if (mislabelled <= mostMislabelled) return [];
-  return [
-    `faces are too coarse: about ${Number((100 * mislabelled).toPrecision(2))} % of the area lies in the wrong region${more} (--max-edge ${maxEdge}${remedy} makes it less)`,
-  ];
-}
-
-/** The diagram that the options ask for. */
-async function compute(
-  path: string,
-  output: Output,
-  values: Notices & Reading & SiteSource & { metric: Metric; detail?: number },
-  options?: { addsSites: boolean },
-): Promise<{ mesh: Mesh; diagram: Diagram }> {
-  const { mesh, sites } = await openWithSites(path, output, values, options);
-  const { metric, detail } = values;
-  const diagram = await withProgress(values, (onProgress) =>
-    mesh.voronoi(sites, { metric, detail, onProgress }),
-  );
-  writeNotes(hiddenNotes(diagram), values);
-  // Points are located by distance, however coarse borders are.
-  if (detail !== undefined && !values.quiet)
-    writeNotes(await coarseness(diagram, { remedy: detail === 0 ? ' --detail 1' : '' }), values);
-  return { mesh, diagram };
-}
-
-/** Sites that have no region. */
-function hiddenNotes({ sites, regions }: Diagram): string[] {
-  const isEmpty = (label: number) => regions[label].area === 0 && regions[label].loops.length === 0;
-  const hidden = sites.face.reduce(
-    (count, face, label) => count + Number(face >= 0 && isEmpty(label)),
-    0,
-  );
-  if (hidden === 0) return [];
-  return [`${counted(hidden, 'site')} without a region: another site is at the same place`];
 }

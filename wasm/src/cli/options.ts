@@ -16,7 +16,7 @@ import {
 } from '../arguments.js';
 import { partitionLayouts } from '../partition_formats.js';
 import { cvtMethods, metrics, orientations, samplings, worstRegions } from '../results.js';
-import { gltfLimitNames } from '../types.js';
+import { gltfLimitNames } from '../options.js';
 import {
   assignments,
   integer,

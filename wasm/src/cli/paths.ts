@@ -3,7 +3,8 @@
 // Shortest paths between the points that the command is given.
 import type { SurfacePath } from '../results.js';
 import { partOf } from '../slices.js';
-import type { Mesh, SurfacePointsInput } from '../types.js';
+import type { SurfacePointsInput } from '../options.js';
+import type { Mesh } from '../types.js';
 import { FileError } from './files.js';
 import type { PointsOnSurface } from './sites.js';
 

@@ -6,7 +6,7 @@ import type { GltfFile } from './gltf_document.js';
 import type { MeshPart } from '../results.js';
 import { inSlices } from '../slices.js';
 import type { Triangles } from '../triangles.js';
-import type { GltfLimits, TaskOptions } from '../types.js';
+import type { GltfLimits, TaskOptions } from '../options.js';
 import { WasmModule } from '../wasm_module.js';
 
 /** The triangles of a glTF scene in world space. */

@@ -3,7 +3,7 @@
 // Limits on the size of a model, so that a small file cannot take all memory or hours.
 
 import { type GeodesicVoronoiError, invalidFile } from '../errors.js';
-import type { GltfLimits } from '../types.js';
+import type { GltfLimits } from '../options.js';
 
 /** The limits of the glTF reader that apply to every format. */
 export type SizeLimits = Required<Pick<GltfLimits, 'maxVertices' | 'maxTriangles'>>;

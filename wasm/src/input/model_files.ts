@@ -4,7 +4,7 @@
 
 import { isA } from '../checks.js';
 import { GeodesicVoronoiError, invalidFile } from '../errors.js';
-import type { ModelFile, ModelFiles } from '../types.js';
+import type { ModelFile, ModelFiles } from '../options.js';
 
 const modelName = /\.(glb|gltf|obj|off|ply|stl)$/i;
 const archiveName = /\.zip$/i;

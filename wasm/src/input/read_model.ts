@@ -9,7 +9,7 @@ import { readGltf } from './gltf_reader.js';
 import type { MeshOrigin, MeshPart } from '../results.js';
 import { inSlices, type SlicedWork } from '../slices.js';
 import type { ReadModel, Triangles } from '../triangles.js';
-import type { ModelFiles, TaskOptions } from '../types.js';
+import type { ModelFiles, TaskOptions } from '../options.js';
 import { decompressed } from './gltf_decompression.js';
 import {
   type GltfFile,

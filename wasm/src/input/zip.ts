@@ -7,7 +7,7 @@
 import { Inflate } from 'fflate';
 import { invalidFile } from '../errors.js';
 import { inSlices, type SlicedWork } from '../slices.js';
-import type { ModelFiles, TaskOptions } from '../types.js';
+import type { ModelFiles, TaskOptions } from '../options.js';
 
 /**
  * The most bytes that all files together may unpack to: models are packed to a quarter or so, and
