@@ -177,27 +177,23 @@ function featuresGlb(
   const siteCount = partition.regions.area.length;
   const file = new GlbBuilder(partition.points.position, scale);
   const runs = partsOf(partition);
-  const patches = partitionVertices(partition, mesh, runs).map((patch, i) => ({
-    label: runs[i].label,
-    ...patch,
-  }));
+  const patches = partitionVertices(partition, mesh, runs);
   // Vertices on borders are repeated for each region, because a vertex has one feature id.
   const vertices = joinedVertices(patches.map((patch) => patch.vertices));
   const ids = new Float32Array(vertices.points.length);
   const colours = new Uint8Array(4 * ids.length);
   const corners = new Uint32Array(partition.triangles.points.length);
   let [vertex, corner] = [0, 0];
-  for (const patch of patches) {
+  patches.forEach((patch, i) => {
+    const { label } = runs[i];
     const end = vertex + patch.vertices.points.length;
-    ids.fill(patch.label < 0 ? siteCount : patch.label, vertex, end);
-    const colour = [...(regionColours[patch.label] ?? hueOf(patch.label)), 1].map((x) =>
-      Math.round(255 * x),
-    );
+    ids.fill(label < 0 ? siteCount : label, vertex, end);
+    const colour = [...(regionColours[label] ?? hueOf(label)), 1].map((x) => Math.round(255 * x));
     for (let v = vertex; v < end; ++v) colours.set(colour, 4 * v);
     for (const c of patch.corners) corners[corner++] = vertex + c;
     vertex = end;
-  }
-  const isPartUnreached = patches.at(-1)!.label < 0;
+  });
+  const isPartUnreached = runs[runs.length - 1].label < 0;
   const featureIds = {
     featureCount: patches.length - Number(isPartUnreached),
     attribute: 0,

@@ -31,31 +31,22 @@ export function ply(
 ): Uint8Array<ArrayBuffer> {
   const vertexCount = vertices[0].values.length / vertices[0].names.length;
   const faceCount = polygons.offset.length - 1;
+  const lengthOf = (f: number) => polygons.offset[f + 1] - polygons.offset[f];
   let longest = 0;
-  for (let f = 0; f < faceCount; ++f)
-    longest = Math.max(longest, polygons.offset[f + 1] - polygons.offset[f]);
+  for (let f = 0; f < faceCount; ++f) longest = Math.max(longest, lengthOf(f));
   const lengthType = longest < 256 ? 'uchar' : 'int';
-  const properties = (columns: PlyColumns[]) =>
-    columns.flatMap(({ names, type }) => names.map((name) => `property ${type} ${name}`));
-  const header = new TextEncoder().encode(
-    `${[
-      'ply',
-      'format binary_little_endian 1.0',
-      `comment ${comment}`,
-      `element vertex ${vertexCount}`,
-      ...properties(vertices),
-      `element face ${faceCount}`,
-      `property list ${lengthType} int vertex_indices`,
-      ...properties(faces),
-      'end_header',
-    ].join('\n')}\n`,
-  );
-  const rowLength = (columns: PlyColumns[]) =>
-    columns.reduce((sum, { names, type }) => sum + names.length * writers[type].size, 0);
+  const header = headerOf([
+    `comment ${comment}`,
+    `element vertex ${vertexCount}`,
+    ...propertiesOf(vertices),
+    `element face ${faceCount}`,
+    `property list ${lengthType} int vertex_indices`,
+    ...propertiesOf(faces),
+  ]);
   const bytes = new Uint8Array(
     header.length +
-      vertexCount * rowLength(vertices) +
-      faceCount * (writers[lengthType].size + rowLength(faces)) +
+      vertexCount * rowBytes(vertices) +
+      faceCount * (writers[lengthType].size + rowBytes(faces)) +
       4 * polygons.points.length,
   );
   bytes.set(header);
@@ -71,10 +62,23 @@ export function ply(
   };
   for (let v = 0; v < vertexCount; ++v) putRow(vertices, v);
   for (let f = 0; f < faceCount; ++f) {
-    put(lengthType, polygons.offset[f + 1] - polygons.offset[f]);
+    put(lengthType, lengthOf(f));
     for (let i = polygons.offset[f]; i < polygons.offset[f + 1]; ++i)
       put('int', polygons.points[i]);
     putRow(faces, f);
   }
   return bytes;
+}
+
+function headerOf(lines: string[]): Uint8Array {
+  const all = ['ply', 'format binary_little_endian 1.0', ...lines, 'end_header'];
+  return new TextEncoder().encode(`${all.join('\n')}\n`);
+}
+
+function propertiesOf(columns: PlyColumns[]): string[] {
+  return columns.flatMap(({ names, type }) => names.map((name) => `property ${type} ${name}`));
+}
+
+function rowBytes(columns: PlyColumns[]): number {
+  return columns.reduce((sum, { names, type }) => sum + names.length * writers[type].size, 0);
 }

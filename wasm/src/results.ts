@@ -245,7 +245,7 @@ export interface DiagramAccuracy {
 }
 
 export interface Located {
-  /** Nearest site per point, -1 if none reaches it. */
+  /** The nearest site per point, the first one of those that tie; -1 if none reaches it. */
   label: Int32Array<ArrayBuffer>;
   /** Its distance in the input's units, Infinity if none reaches it. */
   distance: Float64Array<ArrayBuffer>;

@@ -209,9 +209,16 @@ export interface Mesh extends Disposable {
     points: SurfacePointsInput,
     options?: TaskOptions,
   ): Promise<Float64Array<ArrayBuffer>>;
-  /** The diagram of sites, labelled by their order. Several sites may lie in one place. */
+  /**
+   * The diagram of sites, at least one, labelled by their order. Several may lie in one place: the
+   * first of them gets the region, the others an empty one. A site that is nearest on n vertices takes
+   * about O(n) with `dgpc`; with `exact` O(n²) at worst, about O(n^1.5) on most meshes.
+   */
   voronoi(sites: SurfacePointsInput, options?: VoronoiOptions): Promise<Diagram>;
-  /** For every input vertex: its nearest site, the distance, and the direction from the site. */
+  /**
+   * For every input vertex: its nearest site, the distance, and the direction from the site. At least
+   * one site is needed; the time is that of `voronoi`.
+   */
   distances(sites: SurfacePointsInput, options?: DistancesOptions): Promise<Distances>;
   /**
    * The exact shortest path between two points, whatever the metric of diagrams. The search keeps to

@@ -124,9 +124,9 @@ async function sampled(
     mesh.sampleSites(wanted, { sampling, seed, perComponent, density, onProgress }),
   );
   const count = found.face.length;
-  if (radius === undefined && count < (sites as number) && !values.quiet)
+  if (typeof wanted === 'number' && count < wanted && !values.quiet)
     process.stderr.write(
-      `note: ${integer(count)} of ${counted(sites as number, 'site')}: every vertex has one\n`,
+      `note: ${integer(count)} of ${counted(wanted, 'site')}: every vertex has one\n`,
     );
   return found;
 }
