@@ -117,6 +117,8 @@ test('remesh tells its quality', () => {
   );
   assert.equal(topology.isManifold, true);
   assert.ok(quality.minAngle > 0 && quality.hausdorff > 0);
+  const shown = Number(/Hausdorff distance ([\d.]+)/.exec(stderr)[1]);
+  assert.ok(Math.abs(quality.hausdorff / 10 / shown - 1) < 1e-3, 'it is in the unit of the output');
 });
 
 test('remesh with a density, and with sites that stay', () => {
