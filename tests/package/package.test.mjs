@@ -151,6 +151,18 @@ test('everything can be imported on a server, where that does nothing', () => {
   assert.equal(runModule(code), 'true\n');
 });
 
+test('importing it takes nothing that a test environment may lack, and loading tells what is missing', () => {
+  const code = `
+    // What Jest's jsdom lacks, for which it takes the module of pages.
+    for (const name of ['TextEncoder', 'TextDecoder', 'fetch']) delete globalThis[name];
+    const { load } = await import('./node_modules/geodesic-voronoi/dist/index.js');
+    await load().catch(({ code, message }) => console.log(code, message));`;
+  assert.match(
+    runModule(code),
+    /^load-failed .*core\.wasm cannot be loaded: fetch is not defined\n$/,
+  );
+});
+
 test('its types are complete, with and without those of Node', () => {
   writeFileSync(
     join(installed.folder, 'use.mts'),

@@ -34,9 +34,6 @@ const unitsPerStep = 256;
 /** Bytes of a result that are copied between two looks at the clock. */
 const bytesPerStep = 2 ** 18;
 
-const encoder = new TextEncoder();
-const decoder = new TextDecoder();
-
 /**
  * The functions that a standalone module imports from its host. Ours read no files, environment or
  * clock: where the C library asks for one nevertheless, the answer is "nothing there".
@@ -222,7 +219,8 @@ export class WasmModule {
       const rows = (memory as Memory[]).flatMap((each) => this.#arrayOf(each, copies));
       return [this.#copyIn(Uint32Array.from(rows), copies), memory.length];
     }
-    const array = typeof memory === 'string' ? encoder.encode(memory) : (memory as Uint8Array);
+    const array =
+      typeof memory === 'string' ? new TextEncoder().encode(memory) : (memory as Uint8Array);
     return [this.#copyIn(array, copies), array.length];
   }
 
@@ -250,7 +248,7 @@ export class WasmModule {
     const result = {};
     for (let i = 0; i < count; ++i) {
       const [nameAddress, nameLength, address, length, type] = rows.subarray(5 * i);
-      const name = decoder.decode(new Uint8Array(memory.buffer, nameAddress, nameLength));
+      const name = new TextDecoder().decode(new Uint8Array(memory.buffer, nameAddress, nameLength));
       setValue(result, name, yield* valueAt(memory, address, length, type));
     }
     return result;
@@ -266,7 +264,7 @@ export class WasmModule {
   #textAt(address: number): string {
     const bytes = new Uint8Array(this.#exports.memory.buffer);
     const start = address >>> 0;
-    return decoder.decode(bytes.subarray(start, bytes.indexOf(0, start)));
+    return new TextDecoder().decode(bytes.subarray(start, bytes.indexOf(0, start)));
   }
 
   /** A trap leaves the module's memory in an unknown state: nothing may be called any more. */
@@ -304,7 +302,7 @@ function* valueAt(
     case 1:
       return yield* copied(memory, at, new Float64Array(length));
     case 2:
-      return decoder.decode(new Uint8Array(memory.buffer, at, length));
+      return new TextDecoder().decode(new Uint8Array(memory.buffer, at, length));
     case 3:
       return number();
     case 4:
