@@ -339,6 +339,32 @@ TEST(Cvt, IsFasterWithLbfgs) {
   EXPECT_LT(energy[1], energy[0]);
 }
 
+TEST(Cvt, TakesOtherSitesToTheirCentroidsWhereOneRestsAtASaddle) {
+  const auto plate = shapes::perforatedPlate(1);
+  const auto mesh = shapes::subdivided(shapes::subdivided(plate)).mesh();
+  for (const int seed : {1, 2, 3, 4}) {
+    CvtOptions options;
+    options.iterations = 200;
+    Cvt cvt(mesh, sampleUniform(mesh, 12, seed), options);
+    finish(cvt);
+    const CvtEnergy energy = integrated(mesh, cvt.sites());
+    const auto places = positions(mesh, cvt.sites());
+    int resting = 0;
+    for (size_t l = 0; l < places.size(); ++l) {
+      const auto& [mass, moment] = energy.regions[l];
+      const double radius = std::sqrt(mass / pi);
+      double fromCorner = kInfinity;
+      for (int v = 0; v < plate.vertexCount(); ++v)
+        fromCorner = std::min(fromCorner, (places[l] - plate.position(v)).norm());
+      if (fromCorner < 0.02 * radius)
+        ++resting;
+      else
+        EXPECT_LT(moment.norm() / mass, 1e-3 * radius) << "site " << l << ", seed " << seed;
+    }
+    EXPECT_LT(resting, 6);
+  }
+}
+
 TEST(Cvt, LeavesFixedSitesWhereTheyAre) {
   const auto mesh = shapes::grid(8, 8, 0.1, 1).mesh();
   auto sites = sampleUniform(mesh, 6, 1);

@@ -62,6 +62,9 @@ struct CvtIteration {
 /// drawn with a probability in proportion to the energy there. A site on a vertex is moved off it
 /// by 1e-7 of a side: at a vertex, directions are not unique.
 ///
+/// A site may be best at a saddle vertex, where the energy has a kink and the gradient beside it
+/// does not vanish. Once no step lowers the energy, such sites are held, and the others move on.
+///
 /// Deterministic. An iteration costs one diagram and its integrals, more where a step is shortened.
 ///
 /// Sources: Qiang Du, Vance Faber, Max Gunzburger. Centroidal Voronoi Tessellations: Applications

@@ -246,15 +246,15 @@ class Cvt::Solver {
 
   /// Shortens a step that did not lower the energy enough, to the minimum of a parabola, within
   /// limits. After three attempts, Lloyd's direction replaces the quasi-Newton one. Its first step
-  /// lowers the energy, up to the errors of energy and gradient: after three attempts, no gain
-  /// above these errors is left, and the iteration ends. If the gradient promises no more than
-  /// rounding, one attempt each is enough.
+  /// lowers the energy, up to the errors of energy and gradient: after three attempts, sites that
+  /// overshoot are held, and without any, no gain above these errors is left, and the tessellation
+  /// is done. If the gradient promises no more than rounding, one attempt each is enough.
   void retreat() {
     constexpr int kAttempts = 3;
     constexpr double kRounding = 1e-13;  // of the energy
     const bool isWorthwhile = -slope_ / 2 > kRounding * accepted_.energy.energy;
     if (++attempts_ >= kAttempts || !isWorthwhile) {
-      if (memory_.empty()) {
+      if (memory_.empty() && !(isWorthwhile && holdOvershooting())) {
         isDone_ = true;
         return;
       }
@@ -266,6 +266,21 @@ class Cvt::Solver {
     const double rise = trial_.energy.energy - accepted_.energy.energy - stepLength_ * slope_;
     const double share = rise > 0 ? -slope_ * stepLength_ / (2 * rise) : 0.5;
     tryStep(stepLength_ * std::clamp(share, 0.1, 0.5));
+  }
+
+  /// Holds the sites that even the shortest trial has taken beyond their minimum; whether there are
+  /// any. Such a minimum is at a saddle vertex, where the energy has a kink: the gradient beside it
+  /// does not vanish, and steps as long as it calls for raise the energy by more than the other
+  /// sites can lower it.
+  bool holdOvershooting() {
+    bool isAny = false;
+    for (int l = 0; l < siteCount(); ++l) {
+      const double slope = trial_.gradient.segment<2>(2 * l).dot(direction_.segment<2>(2 * l));
+      if (slope <= 0) continue;
+      isFixed_[l] = isAny = true;
+      accepted_.gradient.segment<2>(2 * l).setZero();
+    }
+    return isAny;
   }
 
   // --- Sites without region ---
@@ -288,7 +303,7 @@ class Cvt::Solver {
 
   const TriangleMesh& mesh_;
   const CvtOptions options_;
-  std::vector<char> isFixed_;
+  std::vector<char> isFixed_;  ///< by the options, for want of a site, or held
   State accepted_, trial_;
   SlicedSequence evaluation_;  ///< of the trial: distances, diagram, integrals
   std::unique_ptr<Propagation> propagation_;
