@@ -3,12 +3,14 @@
 // Polygons of a file, cut into triangles. Every side of a polygon stays a side of one of its
 // triangles, also where corners lie in a line: else the faces beside it would not fit any more.
 
-import earcut from 'earcut';
+import earcut, { refine } from 'earcut';
 import { counted } from '../sentences.js';
 import type { SlicedWork } from '../slices.js';
 import { GrowingArray } from './growing_array.js';
 import { requireCorners, requireTriangles, type SizeLimits } from './limits.js';
 
+/** How far corners are moved, as a share of the polygon: more than rounding, less than any detail. */
+const jitter = 2 ** -36;
 /** Triangles copied between two places where the work can be interrupted. */
 const trianglesPerStep = 2 ** 16;
 
@@ -98,22 +100,28 @@ function notesOf(cut: number, passedOver: number): string[] {
 /** The vertices of the triangles of a polygon: always two fewer than it has corners. */
 function cutPolygon(polygon: Int32Array, positions: Float64Array): Int32Array {
   const places = projected(polygon, positions);
-  const fan = fanOf(polygon.length);
-  if (isUpright(fan, places)) return fan.map((corner) => polygon[corner]);
-  const ears = Int32Array.from(earcut(places));
-  // Fewer are left where the polygon crosses itself or is flat: then a fan is as good as anything.
-  const corners = ears.length === fan.length ? turned(ears, places) : fan;
-  return corners.map((corner) => polygon[corner]);
+  const ears = earcut(jittered(places));
+  refine(ears, places); // Delaunay: no triangle is flat where corners lie in a line
+  // Fewer are left where the polygon crosses itself: then a fan is as good as anything.
+  const corners = ears.length === 3 * (polygon.length - 2) ? ears : fanOf(polygon.length);
+  return Int32Array.from(corners, (corner) => polygon[corner]);
 }
 
 /** All triangles at the first corner. */
-function fanOf(count: number): Int32Array {
-  return Int32Array.from({ length: 3 * (count - 2) }, (_, i) =>
-    i % 3 === 0 ? 0 : Math.floor(i / 3) + (i % 3),
-  );
+function fanOf(count: number): number[] {
+  return Array.from({ length: 3 * (count - 2) }, (_, i) => i % 3 && Math.floor(i / 3) + (i % 3));
 }
 
-/** x and y of each corner in a plane in which the polygon is counterclockwise, if it is planar. */
+/** Places with no three in a line: cutting ears would drop the one between the others. */
+function jittered(places: Float64Array): Float64Array {
+  const size = places.reduce((most, x) => Math.max(most, Math.abs(x)), 0);
+  return places.map((x, i) => x + size * jitter * ((i * i * Math.SQRT2) % 1));
+}
+
+/**
+ * x and y of each corner, from the first one, in a plane in which the polygon is counterclockwise, if
+ * it is planar.
+ */
 function projected(polygon: Int32Array, positions: Float64Array): Float64Array {
   const normal = [0, 0, 0]; // by Newell's formula: of corners that are not in a plane, the mean one
   const first = 3 * polygon[0];
@@ -132,29 +140,6 @@ function projected(polygon: Int32Array, positions: Float64Array): Float64Array {
   if (normal[axis] < 0) others.reverse();
   return Float64Array.from(
     { length: 2 * polygon.length },
-    (_, i) => positions[3 * polygon[i >> 1] + others[i % 2]],
-  );
-}
-
-function isUpright(triangles: Int32Array, places: Float64Array): boolean {
-  for (let t = 0; t < triangles.length; t += 3) if (!(area(triangles, t, places) > 0)) return false;
-  return true;
-}
-
-/** Counterclockwise, as the polygon is. */
-function turned(triangles: Int32Array, places: Float64Array): Int32Array {
-  for (let t = 0; t < triangles.length; t += 3) {
-    if (area(triangles, t, places) >= 0) continue;
-    [triangles[t + 1], triangles[t + 2]] = [triangles[t + 2], triangles[t + 1]];
-  }
-  return triangles;
-}
-
-/** Twice the signed area. */
-function area(triangles: Int32Array, t: number, places: Float64Array): number {
-  const [a, b, c] = [2 * triangles[t], 2 * triangles[t + 1], 2 * triangles[t + 2]];
-  return (
-    (places[b] - places[a]) * (places[c + 1] - places[a + 1]) -
-    (places[c] - places[a]) * (places[b + 1] - places[a + 1])
+    (_, i) => positions[3 * polygon[i >> 1] + others[i % 2]] - positions[first + others[i % 2]],
   );
 }
