@@ -49,6 +49,11 @@ bool UnfoldingSpread::step(long& budget) {
   return true;
 }
 
+/// Indexes the vertices of a label, unless they are.
+void UnfoldingSpread::index(int label) {
+  if (std::exchange(indexed_, label) != label) index_.reset(labels_[label].vertices);
+}
+
 void UnfoldingSpread::store() {
   const int label = std::exchange(running_, -1);
   LabelState& state = labels_[label];
@@ -63,6 +68,7 @@ void UnfoldingSpread::store() {
 }
 
 void UnfoldingSpread::remove(std::span<const int> labels) {
+  indexed_ = -1;
   for (const int label : labels) labels_[label] = {};
 }
 
@@ -70,7 +76,8 @@ void UnfoldingSpread::remove(std::span<const int> labels) {
 
 long UnfoldingSpread::require(int label, std::span<const int> faces) {
   LabelState& state = labels_[label];
-  index_.reset(state.vertices);
+  const size_t unindexed = indexed_ == label ? 0 : state.vertices.size();
+  index(label);
   bool isAllKnown = true;
   for (const int f : faces)
     for (const int v : mesh_.face(f).vertices) {
@@ -83,7 +90,7 @@ long UnfoldingSpread::require(int label, std::span<const int> faces) {
     running_ = label;
     sweepToRequired(mesh_.shortEdgeLength());
   }
-  return static_cast<long>(state.vertices.size() + faces.size());
+  return static_cast<long>(unindexed + faces.size());
 }
 
 /// Adds a vertex that the sweep has not reached, and unfolds its distance from the neighbours as in
@@ -217,7 +224,7 @@ double UnfoldingSpread::distanceAt(int label, const SurfacePoint& p, AtVertex at
 /// each other.
 std::vector<SurfacePoint> UnfoldingSpread::path(int label, const SurfacePoint& p) {
   const LabelState& state = labels_[label];
-  index_.reset(state.vertices);
+  index(label);
   const auto atVertex = [&](int v) {
     return index_[v] < 0 ? kInfinity : state.vertices[index_[v]].distance;
   };

@@ -49,6 +49,7 @@ class UnfoldingSpread final : public LabelSpread {
     std::vector<Eigen::Vector2d> directions;  ///< at the site, per entry of `vertices`
     int sweptCount = 0;                       ///< these come first; the others were required
   };
+  void index(int label);
   void store();
   void requireVertex(LabelState& state, int vertex);
   void sweepToRequired(double reach);
@@ -66,7 +67,8 @@ class UnfoldingSpread final : public LabelSpread {
   std::vector<LabelState> labels_;
   int running_ = -1;          ///< the label that spreads
   double requiredReach_ = 0;  ///< of its sweep to required vertices; 0 while it first spreads
-  ReachedIndex index_;        ///< of the label whose distances or path were asked for last
+  int indexed_ = -1;          ///< the label that was required, or whose path was asked for, last
+  ReachedIndex index_;        ///< of its vertices
 };
 
 }  // namespace gvd::dgpc
