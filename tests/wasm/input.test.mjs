@@ -204,6 +204,48 @@ l 1 2`;
   );
 });
 
+test('polygons with corners in a line keep their area, and none of their triangles is flat', async () => {
+  const slantedU = [
+    ...[
+      [1, 1.5],
+      [1, 2],
+      [0.5, 2],
+      [0, 2],
+      [0, 0],
+      [1, 0],
+      [2, 0],
+      [3, 0],
+      [3, 2],
+      [2, 2],
+    ],
+    ...[
+      [2, 5 / 3],
+      [2, 4 / 3],
+      [2, 1],
+      [1, 1],
+    ],
+  ].map(([x, y]) => [0.6 * y - 0.1 * x, 0.2 * y - 0.3 * x, 0.3 * y + 0.1 * x]);
+  const slantedTrapezium = [
+    [-1.2, 3.4, 0],
+    [-1.8, 2.6, 0],
+    [-2.4, 1.8, 0],
+    [0, 0, 0],
+    [1.2, 1.6, 0],
+  ];
+  for (const [polygon, area] of [
+    [slantedU, 5 * Math.hypot(0.11, 0.09, 0.16)],
+    [slantedTrapezium, 6],
+  ]) {
+    const lines = polygon.map((corner) => `v ${corner.join(' ')}`);
+    const { info } = await gvd.mesh(
+      bytesOf(`${lines.join('\n')}\nf ${polygon.map((_, i) => i + 1).join(' ')}`),
+    );
+    assert.equal(info.faces, polygon.length - 2);
+    assert.ok(Math.abs(info.area - area) < 1e-12, `${info.area}, not ${area}`);
+    assert.equal(info.repairs.mollifiedTriangles, 0);
+  }
+});
+
 test('comments end any line of an OBJ and an OFF', async () => {
   const obj = `# three\nv 0 0 0 # a\nv 1 0 0#b\nv 0 1 0 #\n  # four
 f 1 2 3 # comment\nf 1 2 3 4 #c\nf 1 2# a line\n#f 1 2 3\nl 1 2 # too\nv 1 1 0\nf 2 4 3#c`;

@@ -49,7 +49,7 @@ bool UnfoldingSpread::step(long& budget) {
   return true;
 }
 
-/// Indexes the vertices of a label, unless they are.
+/// Indexes the vertices of a label, unless they are indexed already.
 void UnfoldingSpread::index(int label) {
   if (std::exchange(indexed_, label) != label) index_.reset(labels_[label].vertices);
 }
