@@ -49,12 +49,20 @@ MeshBuilding::MeshBuilding(std::vector<double> positions, std::vector<int> trian
 }
 
 bool MeshBuilding::advance(long budget) {
+  return makeManifold(budget) && placeVertices(budget) && measure(budget) && findBoundary(budget);
+}
+
+double MeshBuilding::progress() const {
+  double sum = 0;
+  for (const SlicedSequence* stage : {&making_, &placing_, &measuring_, &finding_})
+    sum += stage->progress();
+  return sum / 4;
+}
+
+/// Steps 1 to 7 at `TriangleMesh`, and the map from the input.
+bool MeshBuilding::makeManifold(long& budget) {
   TriangleMesh& m = mesh_;
-  const auto forFaces = [&](long perUnit, auto body) {
-    return loop_.run(m.faceCount(), budget, perUnit, body);
-  };
-  const auto isLengthened = [&] { return m.repairs_.mollification > 0; };
-  return sequence_.run(
+  return making_.run(
       [&] {
         return loop_.run(triangles_.size() / 3, budget, kQuickRounds,
                          [&](int t) { requireVertices(triangles_, t, inputVertexCount()); });
@@ -79,21 +87,15 @@ bool MeshBuilding::advance(long budget) {
       [&] {
         return runPart(mapping_, budget, triangles_, representative_, selection_, m.repairs_);
       },
-      [&] {
-        InputMap::Halfedges halfedges = taken(mapping_);
-        m.dropped_ = std::move(halfedges.dropped);
-        m.vertexOfInput_ = std::move(halfedges.ofVertex);
-        m.inputFaceCount_ = static_cast<int>(triangles_.size() / 3);
-        release(triangles_);
-        release(representative_);
-        m.inputFace_ = std::move(selection_.input);
-        m.faces_ = std::move(selection_.faces);
-        selection_ = {};
-        m.flipped_ = std::move(oriented_.flipped);
-        m.component_ = std::move(oriented_.component);
-      },
+      [&] { takeFaces(); },
       [&] { return runPart(splitting_, budget, m.faces_, inputVertexCount(), m.repairs_); },
-      [&] { fans_ = taken(splitting_); },
+      [&] { fans_ = taken(splitting_); });
+}
+
+/// The halfedges and the position of each vertex.
+bool MeshBuilding::placeVertices(long& budget) {
+  TriangleMesh& m = mesh_;
+  return placing_.run(
       [&] { return fillInSlices(m.fanHalfedges_, m.halfedgeCount(), -1, budget); },
       [&] { takeFans(); },
       [&] { return loop_.run(m.vertexCount(), budget, kQuickRounds, [&](int v) { listFan(v); }); },
@@ -109,7 +111,17 @@ bool MeshBuilding::advance(long budget) {
         positions_.resize(3 * m.inputVertex_.size());
         positions_.shrink_to_fit();
         m.positions_ = std::move(positions_);
-      },
+      });
+}
+
+/// Lengths, angles and areas, with step 8 at `TriangleMesh`.
+bool MeshBuilding::measure(long& budget) {
+  TriangleMesh& m = mesh_;
+  const auto forFaces = [&](long perUnit, auto body) {
+    return loop_.run(m.faceCount(), budget, perUnit, body);
+  };
+  const auto isLengthened = [&] { return m.repairs_.mollification > 0; };
+  return measuring_.run(
       [&] {
         return loop_.run(m.vertexCount(), budget, kQuickRounds,
                          [&](int v) { box_.extend(m.position(v)); });
@@ -132,7 +144,13 @@ bool MeshBuilding::advance(long budget) {
       },
       [&] { return fillInSlices(m.angleSum_, m.vertexCount(), 0., budget); },
       [&] { return fillInSlices(m.longestEdge_, m.vertexCount(), 0., budget); },
-      [&] { return forFaces(8, [&](int f) { sumUp(f); }); },
+      [&] { return forFaces(8, [&](int f) { sumUp(f); }); });
+}
+
+/// The boundary loops, open seams between them, and what follows from their number.
+bool MeshBuilding::findBoundary(long& budget) {
+  TriangleMesh& m = mesh_;
+  return finding_.run(
       [&] { return fillInSlices(isOnFoundLoop_, m.vertexCount(), '\0', budget); },
       [&] {
         return loop_.run(m.vertexCount(), budget, kQuickRounds, [&](int v) { followLoopFrom(v); });
@@ -145,6 +163,21 @@ bool MeshBuilding::advance(long budget) {
 }
 
 // --- The manifold ------------------------------------------------------------------------------
+
+/// The faces and their input triangles become the mesh's; the input is not needed any more.
+void MeshBuilding::takeFaces() {
+  InputMap::Halfedges halfedges = taken(mapping_);
+  mesh_.dropped_ = std::move(halfedges.dropped);
+  mesh_.vertexOfInput_ = std::move(halfedges.ofVertex);
+  mesh_.inputFaceCount_ = static_cast<int>(triangles_.size() / 3);
+  release(triangles_);
+  release(representative_);
+  mesh_.inputFace_ = std::move(selection_.input);
+  mesh_.faces_ = std::move(selection_.faces);
+  selection_ = {};
+  mesh_.flipped_ = std::move(oriented_.flipped);
+  mesh_.component_ = std::move(oriented_.component);
+}
 
 void MeshBuilding::takeFans() {
   mesh_.inputVertex_ = std::move(fans_.representative);

@@ -26,11 +26,17 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   MeshBuilding(std::vector<double> positions, std::vector<int> triangles,
                const MeshOptions& options);
   bool advance(long budget) override;
-  double progress() const override { return sequence_.progress(); }
+  double progress() const override;
   TriangleMesh result() override { return std::move(mesh_); }
 
  private:
+  bool makeManifold(long& budget);
+  bool placeVertices(long& budget);
+  bool measure(long& budget);
+  bool findBoundary(long& budget);
+
   int inputVertexCount() const { return static_cast<int>(positions_.size() / 3); }
+  void takeFaces();
   void takeFans();
   void listFan(int vertex);
   void takePosition(int vertex);
@@ -52,7 +58,7 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   const MeshOptions options_;
   TriangleMesh mesh_;
 
-  SlicedSequence sequence_;
+  SlicedSequence making_, placing_, measuring_, finding_;  ///< the stages
   SlicedLoop loop_;
   std::optional<VertexWelding> welding_;
   std::vector<int> representative_;
