@@ -9,7 +9,7 @@
 namespace gvd {
 
 FinalSegments::FinalSegments(const TriangleMesh& mesh, BisectorGraph& graph,
-                             std::span<const RegionOutlines::BoundaryStep> boundarySteps,
+                             std::span<const OutlineSteps::BoundaryStep> boundarySteps,
                              FinalPoints& points, Diagram& diagram)
     : mesh_(mesh), graph_(graph), boundarySteps_(boundarySteps), points_(points), out_(diagram) {
   out_.segments = std::move(graph.segments);
@@ -28,7 +28,7 @@ bool FinalSegments::step(long& budget) {
       [&] { out_.segments.resize(kept_); },
       [&] {
         return loop_.run(boundarySteps_.size(), budget, 1, [&](int i) {
-          const RegionOutlines::BoundaryStep& step = boundarySteps_[i];
+          const OutlineSteps::BoundaryStep& step = boundarySteps_[i];
           if (step.from != step.to) stack(step.from, step.to, step.label, -1, step.face);
         });
       },

@@ -9,7 +9,7 @@
 #include "base/sliced_loop.h"
 #include "diagram/bisector_graph.h"
 #include "diagram/final_points.h"
-#include "diagram/region_outlines.h"
+#include "diagram/outline_steps.h"
 #include "gvd/diagram.h"
 
 namespace gvd {
@@ -22,7 +22,7 @@ class FinalSegments {
  public:
   /// Takes the segments out of the graph.
   FinalSegments(const TriangleMesh& mesh, BisectorGraph& graph,
-                std::span<const RegionOutlines::BoundaryStep> boundarySteps, FinalPoints& points,
+                std::span<const OutlineSteps::BoundaryStep> boundarySteps, FinalPoints& points,
                 Diagram& diagram);
   bool step(long& budget);
 
@@ -41,7 +41,7 @@ class FinalSegments {
 
   const TriangleMesh& mesh_;
   BisectorGraph& graph_;
-  const std::span<const RegionOutlines::BoundaryStep> boundarySteps_;
+  const std::span<const OutlineSteps::BoundaryStep> boundarySteps_;
   FinalPoints& points_;
   Diagram& out_;
   SlicedSequence sequence_;

@@ -4,20 +4,13 @@
 #include "diagram/region_outlines.h"
 
 #include <algorithm>
-#include <functional>
 #include <stdexcept>
 #include <utility>
 
-#include "base/grouping.h"
 #include "base/sorting.h"
 #include "mesh/representations.h"
 
 namespace gvd {
-
-PlaceOfLine placeOfLine(const BisectorGraph& graph, int from, int to, int face) {
-  const bool anyFace = graph.merging.isMerged(from) && graph.merging.isMerged(to);
-  return {std::min(from, to), std::max(from, to), anyFace ? -1 : face};
-}
 
 RegionOutlines::RegionOutlines(const TriangleMesh& mesh, const DistanceField& distances,
                                NodePoints& nodePoints, std::span<const char> isTraced,
@@ -26,19 +19,20 @@ RegionOutlines::RegionOutlines(const TriangleMesh& mesh, const DistanceField& di
       distances_(distances),
       nodePoints_(nodePoints),
       isTraced_(isTraced),
-      graph_(graph) {}
+      graph_(graph),
+      boundaryPoints_(graph),
+      steps_(graph) {}
 
 bool RegionOutlines::step(long& budget) {
   const size_t darts = 2 * graph_.segments.size();
   return sequence_.run(
       [&] {
-        orderBoundary();
+        boundaryPoints_.order();
         points_.reserve(darts);
       },
       [&] { return fillInSlices(isVisited_, darts, '\0', budget); },
       [&] { return traceRings(budget); }, [&] { return traceUnbrokenBoundaries(budget); },
-      [&] { return loop_.run(steps_.size(), budget, 1, [&](int s) { cancelStep(s); }); },
-      [&] { return forgetWaiting(budget); },
+      [&] { return steps_.cancel(budget); },
       [&] {
         return loop_.run(steps_.size(), budget, kQuickRounds, [&](int s) { collectOutline(s); });
       },
@@ -46,53 +40,6 @@ bool RegionOutlines::step(long& budget) {
 }
 
 // --- The mesh boundary ---------------------------------------------------------------------------
-
-/// Puts the boundary points in order along their halfedges.
-void RegionOutlines::orderBoundary() {
-  auto& boundary = graph_.boundary;
-  const auto part = [](const BisectorGraph::BoundaryPoint& b) {
-    return std::pair(b.halfedge, b.start);
-  };
-  sortStably(std::span(boundary), [&](const auto& a, const auto& b) { return part(a) < part(b); });
-  forEachRun(
-      std::span(boundary), [&](const auto& a, const auto& b) { return part(a) == part(b); },
-      [](std::span<BisectorGraph::BoundaryPoint> run) { chain(run); });
-  for (int i = 0; i < static_cast<int>(boundary.size()); ++i)
-    boundaryIndex_.push_back({boundary[i].point, i});
-  sortStably(std::span(boundaryIndex_), std::less<>());
-}
-
-/// Puts boundary points at one place in the order of the exact graph, which rounding may have
-/// reversed in their coordinates: the region before a point is the region after the previous one.
-void RegionOutlines::chain(std::span<BisectorGraph::BoundaryPoint> points) {
-  const auto isFirst = [&](const auto& p) {
-    return std::none_of(points.begin(), points.end(),
-                        [&](const auto& other) { return other.after == p.before; });
-  };
-  std::iter_swap(points.begin(), std::find_if(points.begin(), points.end(), isFirst));
-  for (size_t i = 1; i < points.size(); ++i)
-    std::iter_swap(points.begin() + i,
-                   std::find_if(points.begin() + i, points.end(),
-                                [&](const auto& p) { return p.before == points[i - 1].after; }));
-}
-
-int RegionOutlines::boundaryIndexOf(int point) const {
-  const auto place =
-      std::lower_bound(boundaryIndex_.begin(), boundaryIndex_.end(), std::array<int, 2>{point, 0});
-  if (place == boundaryIndex_.end() || (*place)[0] != point)
-    throw std::logic_error("a region's outline ends inside the mesh");
-  return (*place)[1];
-}
-
-/// The first boundary point on a halfedge, -1 if there is none.
-int RegionOutlines::firstOnBoundary(int halfedge) const {
-  const auto& boundary = graph_.boundary;
-  const auto first =
-      std::lower_bound(boundary.begin(), boundary.end(), halfedge,
-                       [](const auto& b, int wanted) { return b.halfedge < wanted; });
-  const bool isThere = first != boundary.end() && first->halfedge == halfedge;
-  return isThere ? static_cast<int>(first - boundary.begin()) : -1;
-}
 
 int RegionOutlines::vertexPoint(int vertex) {
   return nodePoints_.at(vertex, [&] {
@@ -106,17 +53,15 @@ int RegionOutlines::vertexPoint(int vertex) {
 template <class Visit>
 int RegionOutlines::followBoundary(int point, int label, Visit visit) {
   const auto& boundary = graph_.boundary;
-  const int start = boundaryIndexOf(point);
+  const int start = boundaryPoints_.indexOf(point);
   int halfedge = boundary[start].halfedge;
   visit(point, TriangleMesh::faceOf(halfedge), true);
-  int index = start + 1;
-  if (index == static_cast<int>(boundary.size()) || boundary[index].halfedge != halfedge)
-    index = -1;
+  int index = boundaryPoints_.nextOnHalfedge(start);
   while (index < 0) {
     const int vertex = mesh_.tip(halfedge);
     halfedge = mesh_.outgoing(vertex);
     visit(vertexPoint(vertex), TriangleMesh::faceOf(halfedge), true);
-    index = firstOnBoundary(halfedge);
+    index = boundaryPoints_.firstOn(halfedge);
   }
   const int dart = graph_.dartAt(boundary[index].point, label);
   if (dart < 0) throw std::logic_error("a region's outline ends at the boundary of the mesh");
@@ -181,7 +126,7 @@ void RegionOutlines::traceUnbroken(int start, int owner, long& budget) {
   bool isBroken = false;
   forHalfedges([&](int h) {
     ++length;
-    isBroken |= firstOnBoundary(h) >= 0;
+    isBroken |= boundaryPoints_.firstOn(h) >= 0;
   });
   budget -= length / kQuickRounds;
   if (isBroken) return;
@@ -208,74 +153,15 @@ void RegionOutlines::addRing(int label, Walk walk, long& budget) {
     return;
   }
   points_.resize(first);
-  const int firstStep = static_cast<int>(steps_.size());
-  walk([&](int point, int face, bool isOnBoundary) { addStep(label, point, face, isOnBoundary); });
-  closeRing(firstStep);
-}
-
-// --- Steps ---------------------------------------------------------------------------------------
-
-void RegionOutlines::addStep(int label, int point, int face, bool isOnBoundary) {
-  const int s = static_cast<int>(steps_.size());
-  steps_.push_back(
-      {label, ringCount_ - 1, graph_.merging.root(point), face, s - 1, s + 1, isOnBoundary, false});
-}
-
-/// Makes a ring of the steps since the first one.
-void RegionOutlines::closeRing(int first) {
-  const auto isMerged = [&](int point) { return graph_.merging.isMerged(point); };
-  steps_[first].previous = static_cast<int>(steps_.size()) - 1;
-  steps_.back().next = first;
-  for (const Step& step : std::span(steps_).subspan(first))
-    if (step.isOnBoundary && (isMerged(step.from) || isMerged(tip(step))))
-      boundarySteps_.push_back({step.label, step.from, tip(step), step.face});
-}
-
-void RegionOutlines::cancelStep(int s) {
-  Step& step = steps_[s];
-  const int from = step.from, to = tip(step);
-  if (from == to) {
-    steps_[step.previous].next = step.next;
-    steps_[step.next].previous = step.previous;
-    step.isGone = true;
-  } else if (graph_.merging.isMerged(from) || graph_.merging.isMerged(to)) {
-    const auto [low, high, face] = placeOfLine(graph_, from, to, step.face);
-    auto& others = waiting_[{step.label, low, high, face}];
-    if (!others.empty() && steps_[others.back()].from == to) {
-      cancel(s, others.back());
-      others.pop_back();
-    } else {
-      others.push_back(s);
-    }
-  }
-}
-
-/// Frees the lists of steps that stayed uncancelled, in slices because there may be many.
-bool RegionOutlines::forgetWaiting(long& budget) {
-  for (; !waiting_.empty() && budget > 0; --budget) waiting_.erase(waiting_.begin());
-  return waiting_.empty();
-}
-
-/// Takes out two opposite steps: the step before each is followed by the step after the other.
-void RegionOutlines::cancel(int s, int opposite) {
-  Step &a = steps_[s], &b = steps_[opposite];
-  const Step formerA = a, formerB = b;
-  steps_[formerA.previous].next = formerB.next;
-  steps_[formerB.next].previous = formerA.previous;
-  steps_[formerB.previous].next = formerA.next;
-  steps_[formerA.next].previous = formerB.previous;
-  a.isGone = b.isGone = true;
+  steps_.addRing(label, ring, walk);
 }
 
 /// Makes an outline of the ring of a step, unless that has been done.
 void RegionOutlines::collectOutline(int s) {
   const int first = static_cast<int>(points_.size());
-  for (Step* step = &steps_[s]; !step->isGone; step = &steps_[step->next]) {
-    points_.push_back(step->from);
-    step->isGone = true;
-  }
+  steps_.takeRing(s, points_);
   const int count = static_cast<int>(points_.size()) - first;
-  if (count > 0) outlines_.push_back({steps_[s].label, steps_[s].ring, first, count});
+  if (count > 0) outlines_.push_back({steps_.label(s), steps_.ring(s), first, count});
 }
 
 /// Sorts outlines by label, those of one label in the order of their rings.
