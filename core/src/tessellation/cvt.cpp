@@ -277,7 +277,8 @@ class Cvt::Solver {
     for (int l = 0; l < siteCount(); ++l) {
       const double slope = trial_.gradient.segment<2>(2 * l).dot(direction_.segment<2>(2 * l));
       if (slope <= 0) continue;
-      isFixed_[l] = isAny = true;
+      isFixed_[l] = true;
+      isAny = true;
       accepted_.gradient.segment<2>(2 * l).setZero();
     }
     return isAny;
