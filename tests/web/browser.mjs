@@ -8,6 +8,7 @@ import { createServer } from 'node:http';
 import { basename, extname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
+import { coarseBunny } from '../../web/page/samples.mjs';
 
 /** Where files come from, by the beginning of their path. */
 const folders = {
@@ -74,6 +75,10 @@ function recordContexts() {
   };
 }
 
+/** The first model, coarser than it is: a software renderer takes its time for each vertex. */
+const firstFile = { path: '/samples/bunny.ply', content: coarseBunny() };
+export const firstTriangles = 14_696;
+
 /** Serves the page, the package, and documents by their path, on a free port; `close()` ends it. */
 async function serve(documents) {
   const server = createServer(async (request, response) => {
@@ -81,7 +86,10 @@ async function serve(documents) {
     const start = Object.keys(folders).find((start) => path.startsWith(start));
     const file = new URL(path === '/' ? 'index.html' : path.slice(start.length), folders[start]);
     try {
-      const content = documents[path]?.html ?? (await readFile(fileURLToPath(file)));
+      const content =
+        path === firstFile.path
+          ? firstFile.content
+          : (documents[path]?.html ?? (await readFile(fileURLToPath(file))));
       response.writeHead(200, {
         'Content-Type': mediaTypes[extname(file.pathname)] ?? 'application/octet-stream',
         'Content-Security-Policy': documents[path]?.policy ?? policy,

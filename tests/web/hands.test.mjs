@@ -173,7 +173,9 @@ suite('hands', () => {
     const first = await viewer.sites();
     await viewer.after('diagram', () => press('Shift+ArrowLeft'));
     await viewer.after('diagram', () => press('Shift+ArrowUp'));
-    await viewer.after('diagram', () => press('Enter'));
+    const { x, y } = await viewer.freePlace();
+    await viewer.after('diagram', () => viewer.page.mouse.click(x, y));
+    await focus();
     await viewer.evaluate((viewer, hidden) => (viewer.selected = hidden), hidden);
     await viewer.after('diagram', () => press('Shift+ArrowDown'));
     for (const count of [61, 60]) {

@@ -18,7 +18,7 @@ const require = createRequire(import.meta.url);
  * How each model of `samples.json` comes about: its triangles, or the path of a file in a package.
  */
 const sources = {
-  'bunny.ply': bunny,
+  'bunny.ply': () => bunny(2),
   'hand.glb': '@webxr-input-profiles/assets/dist/profiles/generic-hand/left.glb',
   'bearing.glb': bearingBlock,
   'triple-torus.glb': tripleTorus,
@@ -40,6 +40,11 @@ export function makeSamples(folder) {
   }
 }
 
+/** The first model with a quarter of its triangles, 14,696, for tests that need no more. */
+export function coarseBunny() {
+  return plyOf(bunny(1));
+}
+
 /** A PLY of triangles. The first model is one, because reading it takes no other module. */
 function plyOf({ positions, indices }) {
   const offset = Array.from({ length: indices.length / 3 + 1 }, (_, face) => 3 * face);
@@ -47,10 +52,12 @@ function plyOf({ positions, indices }) {
   return ply('A sample', vertices, { offset, points: indices }, []);
 }
 
-/** The bunny of the package has 3,674 triangles; two rounds of subdivision make 58,784. */
-function bunny() {
+/** The bunny of its package has 3,674 triangles, and four times as many after each round of subdivision. */
+function bunny(rounds) {
   const { positions, cells } = require('bunny');
-  return subdivide(subdivide({ positions: positions.flat(), indices: cells.flat() }));
+  let surface = { positions: positions.flat(), indices: cells.flat() };
+  for (let round = 0; round < rounds; ++round) surface = subdivide(surface);
+  return surface;
 }
 
 /** A binary glTF of one mesh. */
