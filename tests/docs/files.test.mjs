@@ -8,7 +8,7 @@ import { mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'n
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before, suite, test } from 'node:test';
-import { torus } from '../../web/page/sample_shapes.mjs';
+import { torus } from '../../web/page/samples/shapes.mjs';
 import { glb } from '../wasm/meshes.mjs';
 import { blocks, root, textOf } from './documents.mjs';
 

@@ -10,7 +10,7 @@ import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { chromium } from 'playwright-core';
 import { servePackages } from '../../web/docs/make/packages_server.mjs';
-import { torus } from '../../web/page/sample_shapes.mjs';
+import { torus } from '../../web/page/samples/shapes.mjs';
 import { glb } from '../wasm/meshes.mjs';
 import { browserOptions } from '../web/browser.mjs';
 import { blocks, root } from './documents.mjs';

@@ -9,7 +9,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { before, test } from 'node:test';
 import { load, partitionGlb } from 'geodesic-voronoi';
-import { makeSamples } from '../../web/page/samples.mjs';
+import { makeSamples } from '../../web/page/samples/samples.mjs';
 import { areaOf, assertValidGlb, surfaceOf, total } from './files.mjs';
 
 const siteCount = 30;

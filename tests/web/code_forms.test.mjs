@@ -15,7 +15,7 @@ import {
 } from '../../dist/arguments.js';
 import { attributeDefaults } from '../../dist/viewer/element/attribute_defaults.js';
 
-const path = fileURLToPath(new URL('../../web/page/code_forms.ts', import.meta.url));
+const path = fileURLToPath(new URL('../../web/page/menus/code_forms.ts', import.meta.url));
 const { codeOf, watchOrigin } = (await runnerImport(path, { configFile: false, logLevel: 'error' }))
   .module;
 

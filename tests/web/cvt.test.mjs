@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, afterEach, before, beforeEach, suite, test } from 'node:test';
 import { glb } from '../wasm/meshes.mjs';
-import { torus } from '../../web/page/sample_shapes.mjs';
+import { torus } from '../../web/page/samples/shapes.mjs';
 import { startBrowser } from './browser.mjs';
 
 let browser;

@@ -5,7 +5,7 @@
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
 import { after, before, suite, test } from 'node:test';
-import { torus } from '../../web/page/sample_shapes.mjs';
+import { torus } from '../../web/page/samples/shapes.mjs';
 import { meshObj } from '../wasm/model_files.mjs';
 import { startBrowser } from './browser.mjs';
 

@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { after, afterEach, before, beforeEach, suite, test } from 'node:test';
 import { strToU8, zipSync } from 'fflate';
 import { apart, glb, gltf, grid, octahedron, withFlipped } from '../wasm/meshes.mjs';
-import { torus } from '../../web/page/sample_shapes.mjs';
+import { torus } from '../../web/page/samples/shapes.mjs';
 import { dracoGlb, meshBinaryStl, meshObj, meshoptGlb, meshPly } from '../wasm/model_files.mjs';
 import { firstTriangles, startBrowser } from './browser.mjs';
 

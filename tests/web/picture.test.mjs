@@ -5,7 +5,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { glb, grid } from '../wasm/meshes.mjs';
-import { torus } from '../../web/page/sample_shapes.mjs';
+import { torus } from '../../web/page/samples/shapes.mjs';
 import { startBrowser } from './browser.mjs';
 
 let browser;

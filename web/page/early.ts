@@ -4,8 +4,8 @@
 // how much of it has come.
 
 import core from 'geodesic-voronoi/core.wasm?url';
-import { byId } from './dom.js';
-import { modelOf } from './first_model.js';
+import { byId } from './base/dom.js';
+import { modelOf } from './samples/first_model.js';
 
 /** The uncompressed bytes of everything that is fetched here, inserted by the build. */
 declare const firstBytes: number;

@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: MIT
 //
-// The demo around the element: every file here sets up one part of the page.
+// The demo around the element: sets up the parts of the page, which are in the folders.
 
 import type { LoadOptions } from 'geodesic-voronoi';
 import { GeodesicVoronoiElement } from '../viewer/element.js';
-import { sentence } from '../viewer/session/failure.js';
 import { provideModules } from '../viewer/session/library_pool.js';
 import { provideModel } from '../viewer/session/model_files.js';
-import { setUpAddress } from './address.js';
-import { setUpAnnouncements } from './announcements.js';
-import { setUpCvtControls } from './cvt_controls.js';
-import { CvtReadings } from './cvt_readings.js';
-import { setUpDensityControls } from './density_controls.js';
-import { byId } from './dom.js';
-import { setUpFeedback, showError } from './feedback.js';
-import { modelOf } from './first_model.js';
-import { setUpFirstSight } from './first_sight.js';
-import { keepFocus } from './kept_focus.js';
-import { setUpKeyboard } from './keyboard.js';
-import { setUpMeshReport } from './mesh_report.js';
-import { setUpModelChoice } from './model_choice.js';
-import { setUpSheet } from './sheet.js';
-import { setUpSiteControls } from './site_controls.js';
-import { setUpSizeWarning } from './size_warning.js';
-import { setUpToolbar } from './toolbar.js';
-import { setUpViewControls } from './view_controls.js';
+import { byId } from './base/dom.js';
+import { showFailure } from './base/messages.js';
+import { modelOf } from './samples/first_model.js';
+import { setUpAddress } from './state/address.js';
+import { setUpFirstSight } from './state/first_sight.js';
+import { setUpMeshReport } from './model/mesh_report.js';
+import { setUpModelChoice } from './model/model_choice.js';
+import { setUpSizeWarning } from './model/size_warning.js';
+import { setUpCvtControls } from './controls/cvt_controls.js';
+import { setUpDensityControls } from './controls/density_controls.js';
+import { keepFocus } from './controls/kept_focus.js';
+import { setUpKeyboard } from './controls/keyboard.js';
+import { setUpSheet } from './controls/sheet.js';
+import { setUpSiteControls } from './controls/site_controls.js';
+import { setUpToolbar } from './controls/toolbar.js';
+import { setUpViewControls } from './controls/view_controls.js';
+import { setUpAnnouncements } from './readings/announcements.js';
+import { CvtReadings } from './readings/cvt_readings.js';
+import { setUpFeedback } from './readings/feedback.js';
 
 /** Sets up the page; the fetches of the modules and of the first model have begun already. */
 export function setUpPage(
@@ -61,9 +61,9 @@ export function setUpPage(
 
 async function addMenus(viewer: GeodesicVoronoiElement): Promise<void> {
   try {
-    const { setUpMenus } = await import('./menus.js');
+    const { setUpMenus } = await import('./menus/menus.js');
     setUpMenus(viewer);
   } catch (error) {
-    showError(sentence('Downloads and links cannot be had', error).message);
+    showFailure('Downloads and links cannot be had', error);
   }
 }

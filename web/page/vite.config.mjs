@@ -5,8 +5,8 @@
 import { statSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
-import samples from './samples.json' with { type: 'json' };
-import { makeSamples } from './samples.mjs';
+import samples from './samples/samples.json' with { type: 'json' };
+import { makeSamples } from './samples/samples.mjs';
 
 const inBuild = (name) => fileURLToPath(new URL(`../../build/${name}`, import.meta.url));
 

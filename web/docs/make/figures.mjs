@@ -5,7 +5,7 @@
 
 import { load } from 'geodesic-voronoi';
 import { RegionColours, toneColour } from '../../../dist/viewer/buffers/region_colours.js';
-import { torus } from '../../page/sample_shapes.mjs';
+import { torus } from '../../page/samples/shapes.mjs';
 import { Drawing, pairsOf, View } from './drawing.mjs';
 import { envelopeFigure } from './envelope_figure.mjs';
 import { baryIn, fitter, inPlane, unfoldStrip } from './unfolding.mjs';

@@ -9,7 +9,7 @@ import { join } from 'node:path';
 import { load } from 'geodesic-voronoi';
 import { chromium } from 'playwright-core';
 import { browserOptions } from '../../../tests/web/browser.mjs';
-import { makeSamples } from '../../page/samples.mjs';
+import { makeSamples } from '../../page/samples/samples.mjs';
 import { servePackages } from './packages_server.mjs';
 
 /** Softer than the page in the dark, and the same in every reader's browser. */

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+//
+// The buttons and fields of the centroidal tessellation.
+
+import type { CvtStatus, GeodesicVoronoiElement } from '../../viewer/element.js';
+import type { CvtReadings } from '../readings/cvt_readings.js';
+import { byId, listen, onClick } from '../base/dom.js';
+
+/** The centroidal tessellation: playing it, and how far it has come. */
+export function setUpCvtControls(viewer: GeodesicVoronoiElement, readings: CvtReadings): void {
+  setUpPlaying(viewer);
+  listen(viewer, 'cvt-iteration', (reached) => readings.add(reached));
+  listen(viewer, 'cvt-change', ({ status }) => readings.tell(status));
+}
+
+/** The text of the button that plays. */
+const actions: Record<CvtStatus, string> = {
+  idle: 'Even out regions',
+  running: 'Pause',
+  paused: 'Even out further',
+  done: 'Even out regions',
+};
+
+function setUpPlaying(viewer: GeodesicVoronoiElement): void {
+  const fields = {
+    'cvt-method': byId('cvt-method', HTMLSelectElement),
+    'cvt-iterations': byId('cvt-iterations', HTMLInputElement),
+    'cvt-tolerance': byId('cvt-tolerance', HTMLSelectElement),
+  };
+  for (const [name, field] of Object.entries(fields)) {
+    field.addEventListener('change', () => {
+      if (field.reportValidity()) viewer.setAttribute(name, field.value);
+    });
+  }
+  const isRunning = () => viewer.cvtStatus === 'running';
+  // In the exploded view, one would not see it play.
+  const endExplodedView = () => {
+    if (viewer.exploded > 0) viewer.exploded = 0;
+  };
+  const play = onClick('cvt-play', () => {
+    endExplodedView();
+    if (isRunning()) viewer.pauseCvt();
+    else viewer.playCvt();
+  });
+  const step = onClick('cvt-step', () => {
+    endExplodedView();
+    viewer.stepCvt();
+  });
+  const reset = onClick('cvt-reset', () => viewer.resetCvt());
+  const update = () => {
+    play.textContent = actions[viewer.cvtStatus];
+    play.disabled = step.disabled = viewer.sites.face.length === 0;
+    reset.disabled = viewer.cvtStatus === 'idle';
+  };
+  listen(viewer, 'cvt-change', update);
+  listen(viewer, 'sites-change', update);
+}

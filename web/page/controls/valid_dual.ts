@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+//
+// Whether the dual is a valid mesh of the surface, and its repair.
+
+import type { Violation } from 'geodesic-voronoi';
+import type { GeodesicVoronoiElement } from '../../viewer/element.js';
+import { showFailure } from '../base/messages.js';
+import { counted } from '../base/numbers.js';
+import { isSame } from '../base/same_sites.js';
+
+/** The faults of a dual, as a sentence about what has them; undefined if there are none. */
+export function faultsOf(what: string, violations: readonly Violation[]): string | undefined {
+  const [first, ...others] = violations;
+  const more = others.length > 0 ? `, and ${counted(others.length, 'more fault')}` : '';
+  return first && `${what} no valid mesh of the surface: ${first.message}${more}.`;
+}
+
+/** Adds sites until the dual is valid, a step to undo. Sites that are edited meanwhile are kept. */
+export async function repairDual(viewer: GeodesicVoronoiElement): Promise<void> {
+  const { diagram, sites } = viewer;
+  if (!diagram) return;
+  try {
+    const valid = await diagram.repair();
+    if (diagram === viewer.diagram && isSame(sites, viewer.sites)) viewer.sites = valid.sites;
+    if (valid !== diagram) valid.dispose();
+  } catch (error) {
+    showFailure('Sites cannot be added', error);
+  }
+}

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+//
+// The controls of the layers that are shown, and of the metric.
+
+import { mostMislabelled } from 'geodesic-voronoi';
+import { attributeOf } from '../../viewer/element/attribute_defaults.js';
+import { type GeodesicVoronoiElement, type Layer, layers } from '../../viewer/element.js';
+import { byId, listen, onClick } from '../base/dom.js';
+import { hasNote, showNote, showNoteOnSites } from '../base/messages.js';
+import { faultsOf, repairDual } from './valid_dual.js';
+
+/** The titles of the layers, and hints on what they show. */
+const layerTexts: Record<Layer, { title: string; hint: string }> = {
+  regions: { title: 'Regions', hint: 'A colour for each region' },
+  bisectors: { title: 'Bisectors', hint: 'The lines between regions' },
+  sites: { title: 'Sites', hint: 'The dots' },
+  'voronoi-points': { title: 'Voronoi points', hint: 'Where three regions or more meet' },
+  dual: { title: 'Dual', hint: 'Lines that join the sites of neighbouring regions' },
+  distances: { title: 'Distances', hint: 'How far it is to the nearest site, along the surface' },
+  original: { title: 'Original material', hint: 'The colours and textures of the file' },
+  wireframe: { title: 'Wireframe', hint: 'The triangles of the model' },
+};
+
+/** Sets up the controls of layers and of the metric. */
+export function setUpViewControls(viewer: GeodesicVoronoiElement): void {
+  setUpLayers(viewer);
+  setUpOriginal(viewer);
+  setUpDual(viewer);
+  setUpExploded(viewer);
+  setUpDistance(viewer);
+}
+
+function setUpLayers(viewer: GeodesicVoronoiElement): void {
+  const group = byId('layers', HTMLElement);
+  const boxes = layers.map((layer) => {
+    const box = document.createElement('input');
+    box.type = 'checkbox';
+    box.value = layer;
+    box.checked = viewer.layers.includes(layer);
+    const title = document.createElement('span');
+    title.textContent = layerTexts[layer].title;
+    const label = document.createElement('label');
+    label.title = layerTexts[layer].hint;
+    label.append(box, title);
+    group.append(label);
+    if (isLate(layer)) markUntilDrawn(viewer, box, layer);
+    return box;
+  });
+  group.addEventListener('change', () => {
+    viewer.layers = boxes.filter((box) => box.checked).map((box) => box.value as Layer);
+  });
+}
+
+/** Layers that take long to be drawn; an event of the same name tells of it. */
+type LateLayer = 'dual' | 'distances' | 'original';
+
+function isLate(layer: Layer): layer is LateLayer {
+  return layer === 'dual' || layer === 'distances' || layer === 'original';
+}
+
+/** Marks the box of a layer that is asked for, until it is drawn. */
+function markUntilDrawn(
+  viewer: GeodesicVoronoiElement,
+  box: HTMLInputElement,
+  layer: LateLayer,
+): void {
+  box.addEventListener('change', () => {
+    box.ariaBusy = String(box.checked && (layer === 'original' || viewer.diagram !== undefined));
+  });
+  const end = () => {
+    box.ariaBusy = 'false';
+  };
+  listen(viewer, layer, end);
+  listen(viewer, 'error', end);
+}
+
+/** Notes why the file's own material is not shown, if it is not. */
+function setUpOriginal(viewer: GeodesicVoronoiElement): void {
+  const note = byId('original-note', HTMLElement);
+  listen(viewer, 'original', (original) => {
+    note.hidden = original?.isFound ?? true;
+    note.textContent = original?.problem
+      ? `Its own material cannot be shown: ${original.problem}.`
+      : 'This file has no colours to show: they are read from glTF and PLY files that have some.';
+  });
+}
+
+/** Notes whether the dual has the topology of the surface, with a button to repair it. */
+function setUpDual(viewer: GeodesicVoronoiElement): void {
+  const note = byId('dual-note', HTMLElement);
+  const repair = onClick('repair', async () => {
+    repair.disabled = true;
+    await repairDual(viewer);
+    repair.disabled = false;
+  });
+  listen(viewer, 'dual', (dual) => {
+    const faults = faultsOf('The dual is', dual?.violations ?? []);
+    note.textContent = faults ?? 'The dual is a valid mesh of the surface.';
+    note.hidden = dual === null;
+    repair.hidden = faults === undefined;
+  });
+}
+
+function setUpExploded(viewer: GeodesicVoronoiElement): void {
+  const slider = byId('exploded', HTMLInputElement);
+  const chips = byId('layers', HTMLFieldSetElement);
+  let isDrawn = false;
+  slider.addEventListener('input', () => {
+    viewer.exploded = Number(slider.value) / 100;
+    slider.ariaBusy = String(viewer.exploded > 0 && !isDrawn);
+  });
+  listen(viewer, 'exploded', (parts) => {
+    isDrawn = parts !== null;
+    slider.ariaBusy = 'false';
+  });
+  listen(viewer, 'error', () => {
+    slider.ariaBusy = 'false';
+  });
+  const update = () => {
+    slider.disabled = viewer.diagram === undefined;
+  };
+  listen(viewer, 'diagram', update);
+  listen(viewer, 'cvt-iteration', update);
+  // The note explains why a click on these regions does nothing, and ends with the view.
+  const end = { title: 'End the exploded view', act: () => (viewer.exploded = 0) };
+  let endNote = () => {};
+  viewer.addEventListener('click', () => {
+    if (viewer.exploded > 0) {
+      endNote = showNote('No site can be added or moved in the exploded view.', end);
+    }
+  });
+  // A link may have set it, and playing a tessellation ends it.
+  const show = () => {
+    const value = String(Math.round(100 * viewer.exploded));
+    if (slider.value !== value) slider.value = value;
+    chips.disabled = viewer.exploded > 0; // it shows regions alone, whatever the layers
+    if (viewer.exploded === 0) endNote();
+  };
+  show();
+  new MutationObserver(show).observe(viewer, { attributeFilter: ['exploded'] });
+}
+
+function setUpDistance(viewer: GeodesicVoronoiElement): void {
+  const radios = [...document.querySelectorAll<HTMLInputElement>('input[name="metric"]')];
+  const detail = byId('detail', HTMLSelectElement);
+  for (const radio of radios) {
+    radio.addEventListener('change', () => viewer.setAttribute('metric', radio.value));
+  }
+  detail.addEventListener('change', () => viewer.setAttribute('detail', detail.value));
+
+  // The viewer goes back to what it shows if the choice fails or is cancelled.
+  const show = () => {
+    const metric = attributeOf(viewer, 'metric');
+    for (const radio of radios) radio.checked = radio.value === metric;
+    detail.value = attributeOf(viewer, 'detail');
+  };
+  show(); // A link may have set them.
+  new MutationObserver(show).observe(viewer, { attributeFilter: ['metric', 'detail'] });
+
+  listen(viewer, 'load', () => {
+    const offer = () => void offerFinerTriangles(viewer);
+    viewer.addEventListener('diagram', offer, { once: true });
+  });
+}
+
+/** Offers smaller triangles if those of a model are too coarse for its first diagram, and no note is shown. */
+async function offerFinerTriangles(viewer: GeodesicVoronoiElement): Promise<void> {
+  const { diagram } = viewer;
+  // A diagram that is gone needs no offer.
+  const accuracy = await diagram?.accuracy().catch(() => undefined);
+  if (!accuracy || accuracy.mislabelled <= mostMislabelled) return;
+  if (hasNote() || viewer.diagram !== diagram) return;
+  const { mislabelled, maxEdge } = accuracy;
+  showNoteOnSites(
+    viewer,
+    `The triangles are coarse: about ${Number((100 * mislabelled).toPrecision(1))} % of the area lies in the wrong region.`,
+    {
+      title: 'Finer triangles',
+      act: () => {
+        viewer.setAttribute('max-edge', String(maxEdge));
+        if (Number(attributeOf(viewer, 'detail')) === 0) viewer.setAttribute('detail', '1');
+      },
+    },
+  );
+}

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+//
+// Makes the files of the download menu. This code is fetched with the first download.
+
+import type { Diagram, DiagramData, Mesh } from 'geodesic-voronoi';
+import type { GeodesicVoronoiElement, Status } from '../../viewer/element.js';
+import { linear } from '../../viewer/buffers/colour_vision.js';
+import { encode } from './encoding.js';
+import { outlinesSvg } from './outline_svg.js';
+import { sitesCsv, sitesJson } from '../model/sites_file.js';
+import { faultsOf } from '../controls/valid_dual.js';
+
+type Source = Pick<Mesh, 'positions' | 'indices' | 'normals' | 'uvs'>;
+type Encoder = (
+  diagram: Diagram,
+  options: { mesh?: Source },
+  viewer: GeodesicVoronoiElement,
+) => Blob | Promise<Blob>;
+
+const mediaTypes = {
+  csv: 'text/csv',
+  glb: 'model/gltf-binary',
+  json: 'application/json',
+  obj: 'model/obj',
+  ply: 'application/octet-stream',
+  stl: 'model/stl',
+  svg: 'image/svg+xml',
+  zip: 'application/zip',
+};
+
+/** The encoders of results of the diagram, by name, then by format. */
+const encoders: Record<string, Record<string, Encoder>> = {
+  outlines: {
+    svg: async (diagram, _, viewer) =>
+      new Blob([await outlinesSvg(viewer, await diagram.fetchData())], { type: mediaTypes.svg }),
+  },
+  sites: {
+    json: (_, __, viewer) =>
+      new Blob([JSON.stringify(sitesJson(viewer))], { type: mediaTypes.json }),
+    csv: async (_, __, viewer) => new Blob([await sitesCsv(viewer)], { type: mediaTypes.csv }),
+  },
+  diagram: {
+    json: async (diagram) => {
+      const data = await diagram.fetchData();
+      const { metric, sites } = diagram;
+      return encode(mediaTypes.json, 'diagramJson', { metric, sites, data });
+    },
+  },
+  bisectors: {
+    // Copies only the arrays that are needed.
+    glb: async (diagram) => {
+      const { points, segments } = await bisectorsOf(diagram);
+      return encode(mediaTypes.glb, 'diagramGlb', { points, segments });
+    },
+    obj: async (diagram) => {
+      const { points, arcs } = await bisectorsOf(diagram);
+      return encode(mediaTypes.obj, 'diagramObj', { points, arcs });
+    },
+  },
+  parts: {
+    glb: async (diagram, options, viewer) =>
+      encode(mediaTypes.glb, 'partitionGlb', await diagram.partition(), {
+        ...options,
+        colours: coloursOf(viewer),
+      }),
+    obj: async (diagram, options) =>
+      encode(mediaTypes.obj, 'partitionObj', await diagram.partition(), options),
+    ply: async (diagram, options, viewer) =>
+      encode(mediaTypes.ply, 'partitionPly', await diagram.partition(), {
+        ...options,
+        colours: coloursOf(viewer),
+      }),
+    stl: async (diagram) => encode(mediaTypes.zip, 'partitionStls', await diagram.partition()),
+  },
+  polygons: polygonEncoders(true),
+  dual: polygonEncoders(false),
+};
+
+/** The data of a diagram that has any bisectors: a file without content is of no use. */
+async function bisectorsOf(diagram: Diagram): Promise<DiagramData> {
+  const data = await diagram.fetchData();
+  if (data.segments.points.length === 0) throw new Error('there are no bisectors');
+  return data;
+}
+
+function polygonEncoders(primal: boolean): Record<string, Encoder> {
+  const polygons = async (diagram: Diagram) => {
+    const mesh = await diagram.dual({ primal });
+    if (mesh.faces.offset.length > 1) return mesh;
+    throw new Error(`the ${primal ? 'regions have' : 'dual has'} no polygons`);
+  };
+  return {
+    glb: async (diagram, options) =>
+      encode(mediaTypes.glb, 'polygonGlb', await polygons(diagram), options),
+    obj: async (diagram, options) =>
+      encode(mediaTypes.obj, 'polygonObj', await polygons(diagram), options),
+    ply: async (diagram, options) =>
+      encode(mediaTypes.ply, 'polygonPly', await polygons(diagram), options),
+    stl: async (diagram) => encode(mediaTypes.stl, 'polygonStl', await polygons(diagram)),
+  };
+}
+
+/** The arrays of a mesh that files need; no others, to avoid copies. */
+function sourceOf({ mesh }: GeodesicVoronoiElement): Source | undefined {
+  if (!mesh) return undefined;
+  const { positions, indices, normals, uvs } = mesh;
+  return { positions, indices, normals, uvs };
+}
+
+/** The colours of the regions as they are drawn, in linear RGB. */
+function coloursOf(viewer: GeodesicVoronoiElement): number[][] {
+  return Array.from(viewer.regionAreas, (_, label) => {
+    const colour = viewer.regionColour(label) ?? '#787878';
+    return [...linear(parseInt(colour.slice(1), 16))];
+  });
+}
+
+interface ExportedFile {
+  blob: Blob;
+  /** The middle of its name. */
+  name: string;
+  ending: string;
+  /** The faults of the mesh in it, as a sentence. */
+  faults?: string | undefined;
+}
+
+/** The files that can be invalid meshes; the sentence on their faults begins so. */
+const faulty: Record<string, string> = {
+  dual: 'The dual in the file is',
+  polygons: 'The polygons in the file are',
+};
+
+/** The diagram, once it is the one that is asked for. A tessellation that plays is paused. */
+async function restingDiagram(viewer: GeodesicVoronoiElement): Promise<Diagram | undefined> {
+  if (viewer.cvtStatus === 'running') viewer.pauseCvt();
+  const busy: readonly Status[] = ['loading', 'computing', 'iterating'];
+  while (busy.includes(viewer.status)) {
+    await new Promise((resolve) => {
+      viewer.addEventListener('status-change', resolve, { once: true });
+    });
+  }
+  return viewer.diagram;
+}
+
+/** A file by the name and the format of its row in the menu; a picture's format is its scale. */
+export async function fileOf(
+  viewer: GeodesicVoronoiElement,
+  name: string,
+  format: string,
+): Promise<ExportedFile> {
+  if (name === 'picture') {
+    const scale = parseInt(format, 10);
+    return {
+      blob: await viewer.toBlob('image/png', undefined, scale),
+      name: scale === 1 ? name : `${name}@${scale}x`,
+      ending: 'png',
+    };
+  }
+  const diagram = await restingDiagram(viewer);
+  if (!diagram) throw new Error('there is no diagram');
+  const blob = await encoders[name][format](diagram, { mesh: sourceOf(viewer) }, viewer);
+  const faults = faulty[name] && faultsOf(faulty[name], await diagram.violations());
+  return { blob, name, ending: blob.type === mediaTypes.zip ? 'zip' : format, faults };
+}

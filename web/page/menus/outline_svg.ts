@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+//
+// An SVG drawing of the outlines of regions that are visible in the view.
+
+import type { DiagramData } from 'geodesic-voronoi';
+import type { GeodesicVoronoiElement } from '../../viewer/element.js';
+import { Slices } from '../../viewer/stage/next_frame.js';
+
+/** A point of the surface as it is seen in the view, in CSS pixels; none if it is hidden. */
+type SeenPoint = { x: number; y: number } | undefined;
+
+/** Points tested between two looks at the clock; each test for visibility casts a ray. */
+const pointsPerStep = 256;
+
+/** What is seen of bisectors and of the mesh boundary, as a drawing of the view's size in CSS pixels. */
+export async function outlinesSvg(
+  viewer: GeodesicVoronoiElement,
+  data: DiagramData,
+): Promise<string> {
+  const { clientWidth: width, clientHeight: height, exploded } = viewer;
+  if (exploded > 0)
+    throw new Error('the outlines are those of the whole model: end the exploded view first');
+  const work = new Slices();
+  const places = await seenPoints(viewer, data.points.position, work);
+  const parts: string[] = [];
+  for (const chain of [...bisectorChains(data), ...boundaryChains(data)]) {
+    if (work.isDue) await work.next();
+    // A line for every stretch of the chain that is seen.
+    let stretch: string[] = [];
+    for (let i = 0; i <= chain.length; ++i) {
+      const place = i < chain.length ? places[chain[i]] : undefined;
+      if (place) stretch.push(numbers(place));
+      else {
+        if (stretch.length > 1) parts.push(`M${stretch.join('L')}`);
+        stretch = [];
+      }
+    }
+  }
+  if (parts.length === 0) throw new Error('no outline of a region is seen in this view');
+  return (
+    `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${width} ${height}">` +
+    `<path d="${parts.join('')}" fill="none" stroke="#1f2933" stroke-width="1.2" ` +
+    'stroke-linecap="round" stroke-linejoin="round"/></svg>\n'
+  );
+}
+
+function bisectorChains({ arcs: { points, offset } }: DiagramData): Int32Array[] {
+  return Array.from({ length: offset.length - 1 }, (_, arc) =>
+    points.subarray(offset[arc], offset[arc + 1]),
+  );
+}
+
+/** The sides of the regions' loops that are on no bisector, as chains of points. */
+function boundaryChains({ loops, segments, points: { face } }: DiagramData): number[][] {
+  const keyOf = (a: number, b: number) => Math.min(a, b) * face.length + Math.max(a, b);
+  const bisectors = new Set<number>();
+  for (let i = 0; i < segments.points.length; i += 2)
+    bisectors.add(keyOf(segments.points[i], segments.points[i + 1]));
+  const chains: number[][] = [];
+  for (let loop = 0; loop + 1 < loops.offset.length; ++loop) {
+    const corners = loops.points.subarray(loops.offset[loop], loops.offset[loop + 1]);
+    let isOn = false;
+    corners.forEach((corner, i) => {
+      const next = corners[(i + 1) % corners.length];
+      const isBoundary = !bisectors.has(keyOf(corner, next));
+      if (isBoundary && isOn) chains.at(-1)!.push(next);
+      else if (isBoundary) chains.push([corner, next]);
+      isOn = isBoundary;
+    });
+  }
+  return chains;
+}
+
+async function seenPoints(
+  viewer: GeodesicVoronoiElement,
+  positions: Float64Array,
+  work: Slices,
+): Promise<SeenPoint[]> {
+  const places: SeenPoint[] = [];
+  for (let i = 0; i < positions.length; i += 3 * pointsPerStep) {
+    places.push(...viewer.project(positions.subarray(i, i + 3 * pointsPerStep)));
+    if (work.isDue) await work.next();
+  }
+  return places;
+}
+
+function numbers({ x, y }: { x: number; y: number }): string {
+  return `${x.toFixed(1)} ${y.toFixed(1)}`;
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+//
+// The panel's report on the mesh, and the fields that say how it is made of its file.
+
+import { type MeshInfo, repairSentences } from 'geodesic-voronoi';
+import type { GeodesicVoronoiElement } from '../../viewer/element.js';
+import { byId, listen, showAttributes } from '../base/dom.js';
+import { showNote } from '../base/messages.js';
+import { counted, integer, measure } from '../base/numbers.js';
+
+/** Sets up the report on the mesh and the options by which it is built from its file. */
+export function setUpMeshReport(viewer: GeodesicVoronoiElement): void {
+  setUpBuild(viewer);
+  const report = byId('report', HTMLElement);
+  const repairs = byId('repairs', HTMLElement);
+  listen(viewer, 'load', ({ info }) => {
+    report.replaceChildren(
+      ...factsOf(info).flatMap(([term, value]) => [cell('dt', term), cell('dd', value)]),
+    );
+    repairs.replaceChildren(...sentencesOf(info).map((sentence) => cell('span', sentence)));
+    const { orientationCuts, nonManifoldEdges } = info.repairs;
+    const cuts = orientationCuts + nonManifoldEdges;
+    if (info.hasOpenSeams) {
+      showNote(
+        'Some triangles of this model are apart by a hair: distances lead around the gaps.',
+        { title: 'Weld them', act: () => viewer.setAttribute('weld', '1e-6') },
+      );
+    } else if (cuts > 0) {
+      showNote(
+        `This model is cut along ${counted(cuts, 'edge')} where its triangles do not fit together: ` +
+          'distances lead around the cuts. “Model”, in the controls, tells more.',
+      );
+    }
+  });
+}
+
+/** A change opens the model anew. */
+function setUpBuild(viewer: GeodesicVoronoiElement): void {
+  const fields = {
+    'max-edge': byId('max-edge', HTMLInputElement),
+    weld: byId('weld', HTMLSelectElement),
+    orientation: byId('orientation', HTMLSelectElement),
+    'min-component': byId('min-component', HTMLInputElement),
+  };
+  for (const [name, field] of Object.entries(fields)) {
+    field.addEventListener('change', () => {
+      if (field.reportValidity()) viewer.setAttribute(name, field.value);
+    });
+  }
+  showAttributes(viewer, fields);
+}
+
+function factsOf(info: MeshInfo): [string, string][] {
+  return [
+    ['Triangles', integer(info.faces)],
+    ['Vertices', integer(info.vertices)],
+    ['Components', integer(info.components)],
+    ['Boundary loops', integer(info.boundaryLoops)],
+    ['Genus', integer(info.genus)],
+    ['Area', measure(info.area)],
+  ];
+}
+
+/** What the mesh builder and the reader of the file did. */
+function sentencesOf({ repairs, notes }: MeshInfo): string[] {
+  const made = repairSentences(repairs, measure);
+  return [...(made.length > 0 ? made : ['No repairs needed']), ...notes].map((text) => `${text}.`);
+}
+
+function cell(tag: string, text: string): HTMLElement {
+  const element = document.createElement(tag);
+  element.textContent = text;
+  return element;
+}

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+//
+// Sites as a file.
+
+import type { SurfacePoints } from 'geodesic-voronoi';
+import type { GeodesicVoronoiElement } from '../../viewer/element.js';
+import { maxHeaderBytes, readPlyHeader } from '../../../dist/input/ply_header.js';
+import { readPointsFile } from '../../../dist/input/points_reader.js';
+import { pointsFile } from '../../../dist/points_file.js';
+import { sentence } from '../../viewer/session/failure.js';
+import { byId } from '../base/dom.js';
+import { hideError, showError, showNoteOnSites } from '../base/messages.js';
+import { counted, integer, measure } from '../base/numbers.js';
+
+/** How far places are from the surface before it is told, in diagonals of the model. */
+const mostFar = 0.05;
+
+/** The JSON form of sites, as the page and the command write it. */
+interface SitesJson {
+  mesh: { faces: number };
+  face: number[];
+  bary: number[];
+}
+
+export function sitesJson({ sites, info }: GeodesicVoronoiElement): SitesJson {
+  return {
+    mesh: { faces: info?.inputFaces ?? 0 },
+    face: [...sites.face],
+    bary: [...sites.bary],
+  };
+}
+
+/** A table of coordinates, as the command writes it. */
+export async function sitesCsv({ sites, mesh }: GeodesicVoronoiElement): Promise<string> {
+  const places = await mesh?.positionsOf(sites);
+  const rows = Array.from(sites.face, (_, i) => places?.slice(3 * i, 3 * i + 3).join(','));
+  return ['x,y,z', ...rows, ''].join('\n');
+}
+
+/** A folder's files of these kinds may be anything; those that are opened one by one are sites. */
+export async function isSitesFile(file: File): Promise<boolean> {
+  if (file.webkitRelativePath) return false;
+  return /\.(json|csv|xyz)$/i.test(file.name) || (isPly(file) && (await isWithoutFaces(file)));
+}
+
+function isPly({ name }: File): boolean {
+  return /\.ply$/i.test(name);
+}
+
+/** Whether a PLY has points only. False for one that is damaged, which opening it will report. */
+async function isWithoutFaces(file: File): Promise<boolean> {
+  try {
+    const head = await file.slice(0, maxHeaderBytes).arrayBuffer();
+    const { elements } = readPlyHeader(new Uint8Array(head));
+    return elements.every(({ name, count }) => name === 'vertex' || count === 0);
+  } catch {
+    return false;
+  }
+}
+
+/**
+ * Replaces the sites by those of a file, a step to undo. Shows an error if the file has none, or
+ * those of another model.
+ */
+export async function openSites(viewer: GeodesicVoronoiElement, file: File): Promise<void> {
+  hideError();
+  const { mesh } = viewer;
+  const { name } = file;
+  if (!mesh) {
+    showError(`${name} holds sites: open their model first.`);
+    return;
+  }
+  try {
+    const content = await readPointsFile(new Uint8Array(await file.arrayBuffer()));
+    const places = placesIn(content);
+    const sites = await mesh.readPoints(content);
+    const { distance } = await mesh.closestPoints(places);
+    if (mesh !== viewer.mesh) return;
+    viewer.sites = present(sites);
+    tellOfPoints(viewer, file, Math.max(0, ...distance));
+  } catch (error) {
+    showError(sentence(`${name} cannot be opened as sites`, error).message);
+  }
+}
+
+/**
+ * Tells what a file was taken for: a .ply is often meant to be a model, and places far from the surface are
+ * often those of another one, or in another unit.
+ */
+function tellOfPoints(viewer: GeodesicVoronoiElement, file: File, far: number): void {
+  const isFar = far > mostFar * (viewer.info?.boundingDiagonal ?? 0);
+  if (!isFar && !isPly(file)) return;
+  const what = isPly(file) ? `${file.name} has no triangles: the` : 'The';
+  const points = counted(viewer.sites.face.length, 'point');
+  const how = isFar ? `, up to ${measure(far)} away from the surface` : '';
+  showNoteOnSites(viewer, `${what} sites are now where the ${points} of the file are${how}.`, {
+    title: 'Undo',
+    act: () => viewer.undo(),
+  });
+}
+
+/** The places of points that are given by these alone, of which there may not be too many. */
+function placesIn(content: unknown): ArrayLike<number> {
+  const { points } = pointsFile(content);
+  // Points on triangles may come with their places, in another unit.
+  if (!('position' in points) || 'face' in points) return [];
+  const { position } = points;
+  const most = Number(byId('count', HTMLInputElement).max);
+  // JSON may have anything there, which `mesh.readPoints` refuses.
+  if (position?.length > 3 * most)
+    throw new Error(
+      `it has ${integer(position.length / 3)} points without triangles, more than ${integer(most)}`,
+    );
+  return position;
+}
+
+/** A diagram's list of sites without the labels of removed ones. */
+function present({ face, bary }: SurfacePoints): SurfacePoints {
+  return {
+    face: face.filter((f) => f >= 0),
+    bary: bary.filter((_, i) => face[Math.floor(i / 3)] >= 0),
+  };
+}

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+//
+// The page's own address: it keeps the state that a link keeps, for reloading and coming back.
+
+import type { GeodesicVoronoiElement } from '../../viewer/element.js';
+import { lastSegment } from '../../viewer/session/model_files.js';
+import { listen } from '../base/dom.js';
+import { isSample, modelOf } from '../samples/first_model.js';
+import { isPageState, linkAttributes, modelName, notHeld, pageState } from './page_state.js';
+
+/** The address waits for the last of several changes: browsers limit how often it may change. */
+const addressMilliseconds = 300;
+/** What a person does first. Before, the address stays as it was opened. */
+const firstActs = ['pointerdown', 'keydown', 'wheel', 'drop'];
+/** Events of the viewer after which its state may be another. */
+const changes = ['status-change', 'diagram', 'sites-change', 'camera-change'];
+
+/**
+ * Keeps the state in the address, opens a link that comes into it, and asks before anything is left
+ * that was done and that the address does not hold.
+ */
+export function setUpAddress(viewer: GeodesicVoronoiElement): void {
+  const restore = keepState(viewer);
+  const losesEdits = watchEdits(viewer);
+  let isLeaving = false;
+  // A link that is pasted into the page's own window, Back and Forward change nothing but the hash.
+  addEventListener('hashchange', () => {
+    isLeaving = !losesEdits() || confirm(leavingQuestion(modelName(viewer)));
+    if (isLeaving) location.reload();
+    else restore();
+  });
+  addEventListener('beforeunload', (event) => {
+    if (!isLeaving && losesEdits()) event.preventDefault();
+  });
+}
+
+function leavingQuestion(model: string): string {
+  return `Leave ${model}? Not all that was done with it can be brought back.`;
+}
+
+/**
+ * Keeps the state in the address. Another model is a step in the browser's history, so that Back
+ * returns to the one before with its sites; other changes are none. A link of a reader's own file
+ * opens with a sample in its place, and stays in the address until another model is opened. Returns
+ * a function that puts the state back into the address.
+ */
+function keepState(viewer: GeodesicVoronoiElement): () => void {
+  const { hash } = location;
+  const named = new URLSearchParams(hash.slice(1)).get('model');
+  // How many models are opened that the address does not describe: the sample in place of a file.
+  let standIns = isPageState(hash) && named && !isSample(named) ? 1 : 0;
+  listen(viewer, 'load', () => --standIns);
+  let known = hash;
+  let model = named ?? lastSegment(modelOf(hash));
+  let waiting = 0;
+  const write = () => {
+    // Another hash than the known one is a link that is about to be opened.
+    const isReady = viewer.getAttribute('status') === 'ready' && standIns < 0;
+    if (!isReady || location.hash !== known) return;
+    const state = pageState(viewer);
+    const isOther = modelName(viewer) !== model;
+    if (isOther) history.pushState(null, '', state);
+    else history.replaceState(history.state, '', state);
+    model = modelName(viewer);
+    known = location.hash;
+  };
+  const writeSoon = () => {
+    clearTimeout(waiting);
+    waiting = window.setTimeout(write, addressMilliseconds);
+  };
+  const begun = new AbortController();
+  const begin = () => {
+    begun.abort();
+    for (const type of changes) viewer.addEventListener(type, writeSoon);
+    new MutationObserver(writeSoon).observe(viewer, { attributeFilter: [...linkAttributes] });
+    writeSoon();
+  };
+  for (const type of firstActs) {
+    addEventListener(type, begin, { capture: true, passive: true, signal: begun.signal });
+  }
+  return () => history.pushState(null, '', known);
+}
+
+/** Returns whether anything was done that the address does not hold. */
+function watchEdits(viewer: GeodesicVoronoiElement): () => boolean {
+  let file = '';
+  // Edits made before the mesh was built anew, which can no longer be undone.
+  let wasEdited = false;
+  let isEdited = false;
+  listen(viewer, 'load', ({ name, info }) => {
+    const opened = `${name} ${info.inputFaces}`;
+    wasEdited = isEdited && opened === file;
+    file = opened;
+  });
+  listen(viewer, 'sites-change', ({ canUndo }) => {
+    isEdited = canUndo || wasEdited;
+  });
+  return () => viewer.loaded && isEdited && notHeld(viewer).length > 0;
+}

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+//
+// The opening of the page: a model whose random regions become even ones, once.
+
+import type { CvtState } from 'geodesic-voronoi';
+import { attributeOf } from '../../viewer/element/attribute_defaults.js';
+import type { GeodesicVoronoiElement } from '../../viewer/element.js';
+import { hexagonEnergy } from '../../viewer/session/hexagon_energy.js';
+import type { CvtReadings } from '../readings/cvt_readings.js';
+import { byId, listen } from '../base/dom.js';
+import { showFailure } from '../base/messages.js';
+import { modelOf } from '../samples/first_model.js';
+import { isPageState, readPageState } from './page_state.js';
+import { isSame } from '../base/same_sites.js';
+
+/** Opens a shared link as it was; without one, a sample plays once. */
+export function setUpFirstSight(viewer: GeodesicVoronoiElement, readings: CvtReadings): void {
+  enableWithModel(viewer);
+  endCaption(viewer);
+  const play = () => {
+    evenOut(viewer, readings).catch((error) => showFailure('Regions cannot be evened out', error));
+  };
+  viewer.src = modelOf(location.hash);
+  if (isPageState(location.hash)) readPageState(viewer, location.hash);
+  else viewer.addEventListener('diagram', play, { once: true });
+}
+
+/** Controls are disabled until there is something for them to do. */
+function enableWithModel(viewer: GeodesicVoronoiElement): void {
+  const groups = ['toolbar', 'lead', 'panel'].map((id) => byId(id, HTMLFieldSetElement));
+  listen(viewer, 'load', () => {
+    for (const group of groups) group.disabled = false;
+  });
+}
+
+/**
+ * Removes the sentence on the view after the first edit, where nothing can be edited, and where
+ * other colours are shown than those it speaks of.
+ */
+function endCaption(viewer: GeodesicVoronoiElement): void {
+  const caption = byId('caption', HTMLElement);
+  if (matchMedia('(pointer: coarse)').matches) {
+    const hint = byId('hint', HTMLElement);
+    hint.textContent = (hint.textContent ?? '').replace('Click', 'Tap');
+  }
+  new MutationObserver(() => {
+    const { layers } = viewer;
+    const hidesRegions = layers.includes('distances') || layers.includes('original');
+    if (!layers.includes('regions') || hidesRegions) caption.hidden = true;
+  }).observe(viewer, { attributeFilter: ['layers'] });
+  listen(viewer, 'exploded', (parts) => {
+    if (parts) caption.hidden = true;
+  });
+  listen(viewer, 'sites-change', ({ selected }) => {
+    if (selected >= 0) caption.hidden = true;
+  });
+}
+
+/**
+ * Plays a tessellation; for readers who want no motion, computes it without showing iterations.
+ * Either way it is one step to undo.
+ */
+async function evenOut(viewer: GeodesicVoronoiElement, readings: CvtReadings): Promise<void> {
+  if (!matchMedia('(prefers-reduced-motion: reduce)').matches) {
+    viewer.playCvt();
+    return;
+  }
+  const { mesh, sites } = viewer;
+  if (!mesh) return;
+  const iterations = Number(attributeOf(viewer, 'cvt-iterations'));
+  const states: CvtState[] = [];
+  for await (const state of mesh.cvt(sites, { iterations })) states.push(state);
+  const last = states.at(-1);
+  // Changes that the reader has made meanwhile are kept.
+  const isEdited = viewer.density !== undefined || !isSame(sites, viewer.sites);
+  if (!last || mesh !== viewer.mesh || isEdited) return;
+  viewer.sites = last.sites;
+  const { regionAreas: regionArea } = viewer;
+  const hexagons = hexagonEnergy({ siteCount: regionArea.length, regionArea });
+  const isIdle = () => viewer.cvtStatus === 'idle';
+  const show = () => {
+    if (!isIdle()) return;
+    for (const state of states) {
+      readings.add({ ...state, relativeEnergy: state.energy / hexagons });
+    }
+    readings.tell(last.iteration < iterations ? 'done' : 'paused');
+    // The next diagram has other sites, to which the readings do not apply.
+    const clear = () => isIdle() && readings.tell('idle');
+    viewer.addEventListener('diagram', clear, { once: true });
+  };
+  viewer.addEventListener('diagram', show, { once: true });
+}
