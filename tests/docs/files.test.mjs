@@ -75,7 +75,7 @@ suite('the fields of files are those that the command writes', () => {
 });
 
 test('the codes of errors', () => {
-  const [, codes] = readFileSync(join(root, 'wasm/src/errors.ts'), 'utf8').match(
+  const [, codes] = readFileSync(join(root, 'wasm/src/api/errors.ts'), 'utf8').match(
     /type ErrorCode =(.*?);\n\n/s,
   );
   const inCode = [...codes.matchAll(/\| '([\w-]+)'/g)].map(([, code]) => code);

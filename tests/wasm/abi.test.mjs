@@ -6,9 +6,15 @@
 import assert from 'node:assert/strict';
 import { readdirSync, readFileSync } from 'node:fs';
 import { before, test } from 'node:test';
-import { cvtMethods, metrics, orientations, samplings, worstRegions } from '../../dist/results.js';
-import { gltfLimitNames } from '../../dist/options.js';
-import { WasmModule } from '../../dist/wasm_module.js';
+import {
+  cvtMethods,
+  metrics,
+  orientations,
+  samplings,
+  worstRegions,
+} from '../../dist/api/results.js';
+import { gltfLimitNames } from '../../dist/api/options.js';
+import { WasmModule } from '../../dist/base/wasm_module.js';
 import { octahedron } from './meshes.mjs';
 import { fails } from './expectations.mjs';
 

@@ -12,7 +12,7 @@ import {
   meshDefaults,
   samplingDefaults,
   tessellationDefaults,
-} from '../../dist/arguments.js';
+} from '../../dist/library/arguments.js';
 import { attributeDefaults } from '../../dist/viewer/element/attribute_defaults.js';
 
 const path = fileURLToPath(new URL('../../web/page/menus/code_forms.ts', import.meta.url));

@@ -2,7 +2,7 @@
 //
 // geodesic-voronoi in a page or a worker; Node has `node.ts` instead. Importing it does nothing.
 
-import { isObject, show, toOptions } from './checks.js';
+import { isObject, show, toOptions } from './base/checks.js';
 import {
   compile,
   compileFromWeb,
@@ -10,9 +10,9 @@ import {
   isResponse,
   type CompiledModule,
   type WasmSource,
-} from './compile.js';
-import { GeodesicVoronoiError, invalidArgument, type ErrorCode } from './errors.js';
-import { Library } from './library.js';
+} from './base/compile.js';
+import { GeodesicVoronoiError, invalidArgument, type ErrorCode } from './api/errors.js';
+import { Library } from './library/library.js';
 import {
   compileSources,
   loadLocal,
@@ -21,35 +21,40 @@ import {
   type LoadOptions,
   type Modules,
 } from './load.js';
-import type { GeodesicVoronoi } from './types.js';
-import { startWorkerEngine } from './worker_engine.js';
+import type { GeodesicVoronoi } from './api/types.js';
+import { startWorkerEngine } from './engine/worker_engine.js';
 
-export type * from './options.js';
-export type * from './results.js';
-export { mostMislabelled } from './results.js';
-export type * from './types.js';
+export type * from './api/options.js';
+export type * from './api/results.js';
+export { mostMislabelled } from './api/results.js';
+export type * from './api/types.js';
 export type { CompileOptions, CompiledModule, ErrorCode, LoadOptions, Modules, WasmSource };
 export { GeodesicVoronoiError };
 export { gltfResourceUris } from './input/gltf_document.js';
-export { type FindModelOptions, type FoundModel, findModel, listModels } from './find_model.js';
-export type { LengthsJson, PlacedPointsJson, SurfacePointsJson } from './json_forms.js';
-export { pointsJson } from './json_forms.js';
-export type { DiagramArrays, DiagramJson } from './diagram_formats.js';
-export { diagramGlb, diagramJson, diagramObj } from './diagram_formats.js';
-export type { DistancesFileOptions, DistancesJson, PathsJson } from './distance_formats.js';
+export {
+  type FindModelOptions,
+  type FoundModel,
+  findModel,
+  listModels,
+} from './library/find_model.js';
+export type { LengthsJson, PlacedPointsJson, SurfacePointsJson } from './output/json_forms.js';
+export { pointsJson } from './output/json_forms.js';
+export type { DiagramArrays, DiagramJson } from './output/diagram_formats.js';
+export { diagramGlb, diagramJson, diagramObj } from './output/diagram_formats.js';
+export type { DistancesFileOptions, DistancesJson, PathsJson } from './output/distance_formats.js';
 export {
   distancesGlb,
   distancesJson,
   distancesPly,
   pathsJson,
   pathsObj,
-} from './distance_formats.js';
+} from './output/distance_formats.js';
 export type {
   AttributeSource,
   FileOptions,
   JsonOptions,
   SurfaceFileOptions,
-} from './file_options.js';
+} from './output/file_options.js';
 export type {
   PartitionColourOptions,
   PartitionGlbOptions,
@@ -57,17 +62,23 @@ export type {
   PartitionJsonOptions,
   PartitionLayout,
   PartitionStlOptions,
-} from './partition_formats.js';
-export type { PolygonMeshJson } from './polygon_formats.js';
+} from './output/partition_formats.js';
+export type { PolygonMeshJson } from './output/polygon_formats.js';
 export {
   partitionGlb,
   partitionJson,
   partitionObj,
   partitionPly,
   partitionStl,
-} from './partition_formats.js';
-export { repairSentences } from './sentences.js';
-export { polygonGlb, polygonJson, polygonObj, polygonPly, polygonStl } from './polygon_formats.js';
+} from './output/partition_formats.js';
+export { repairSentences } from './base/sentences.js';
+export {
+  polygonGlb,
+  polygonJson,
+  polygonObj,
+  polygonPly,
+  polygonStl,
+} from './output/polygon_formats.js';
 
 /**
  * The library on the calling thread. Long work is done in slices of about 12 ms; the guide names the

@@ -2,12 +2,17 @@
 //
 // How the library is loaded; where files are read from is for `index.ts` and `node.ts` to say.
 
-import { toOptions } from './checks.js';
-import { type CompiledModule, compile, type CompileAddress, type WasmSource } from './compile.js';
-import type { EngineSources } from './engine.js';
-import { Library } from './library.js';
-import { LocalEngine } from './local_engine.js';
-import type { GeodesicVoronoi } from './types.js';
+import { toOptions } from './base/checks.js';
+import {
+  type CompiledModule,
+  compile,
+  type CompileAddress,
+  type WasmSource,
+} from './base/compile.js';
+import type { EngineSources } from './engine/engine.js';
+import { Library } from './library/library.js';
+import { LocalEngine } from './engine/local_engine.js';
+import type { GeodesicVoronoi } from './api/types.js';
 
 export interface LoadOptions {
   /** core.wasm; by default the one beside this file, which only an ES module finds. */

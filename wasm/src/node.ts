@@ -4,7 +4,7 @@
 
 import { readFile } from 'node:fs/promises';
 import { pathToFileURL } from 'node:url';
-import { compileFromWeb, type CompiledModule } from './compile.js';
+import { compileFromWeb, type CompiledModule } from './base/compile.js';
 import {
   compileSources,
   loadLocal,
@@ -12,7 +12,7 @@ import {
   type LoadOptions,
   type Modules,
 } from './load.js';
-import type { GeodesicVoronoi } from './types.js';
+import type { GeodesicVoronoi } from './api/types.js';
 
 export * from './index.js';
 

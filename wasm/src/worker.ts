@@ -4,13 +4,13 @@
 // bundlers let chunks import from a script what they share with it, and WebKit runs the first
 // script of a worker once more when a module imports it.
 
-import type { Port } from './worker_server.js';
+import type { Port } from './engine/worker_server.js';
 
 const port = globalThis as unknown as Port;
 const early: MessageEvent[] = [];
 port.onmessage = (event) => early.push(event);
 
-import('./worker_server.js').then(({ serveLocalEngine }) => {
+import('./engine/worker_server.js').then(({ serveLocalEngine }) => {
   serveLocalEngine(port);
   for (const event of early) port.onmessage?.(event);
 }, reportError);

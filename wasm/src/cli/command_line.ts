@@ -3,7 +3,7 @@
 // The command line, taken apart by the table of commands and options.
 
 import { parseArgs } from 'node:util';
-import { nearestName } from '../checks.js';
+import { nearestName } from '../base/checks.js';
 import { commandHelp, help, overview } from './help.js';
 import {
   areRandom,

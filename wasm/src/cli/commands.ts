@@ -2,11 +2,11 @@
 //
 // What each command does.
 
-import { GeodesicVoronoiError } from '../errors.js';
-import type { MeshInfo, PolygonMesh, Violation } from '../results.js';
-import { counted, integer } from '../sentences.js';
-import type { CvtOptions } from '../options.js';
-import type { CvtState, Diagram, Mesh } from '../types.js';
+import { GeodesicVoronoiError } from '../api/errors.js';
+import type { MeshInfo, PolygonMesh, Violation } from '../api/results.js';
+import { counted, integer } from '../base/sentences.js';
+import type { CvtOptions } from '../api/options.js';
+import type { CvtState, Diagram, Mesh } from '../api/types.js';
 import { noteCoarseTessellation, openDiagram } from './diagrams.js';
 import {
   isJsonReport,

@@ -2,9 +2,9 @@
 //
 // The diagram that the options ask for, and what standard error should say about it.
 
-import { mostMislabelled, type Metric } from '../results.js';
-import { counted } from '../sentences.js';
-import type { Diagram, Mesh } from '../types.js';
+import { mostMislabelled, type Metric } from '../api/results.js';
+import { counted } from '../base/sentences.js';
+import type { Diagram, Mesh } from '../api/types.js';
 import type { Output } from './files.js';
 import {
   type Notices,

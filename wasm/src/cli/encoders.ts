@@ -3,18 +3,29 @@
 // Files of the results, by the ending of the output.
 
 import { extname } from 'node:path';
-import { diagramGlb, diagramJson, diagramObj } from '../diagram_formats.js';
+import { diagramGlb, diagramJson, diagramObj } from '../output/diagram_formats.js';
 import {
   distancesGlb,
   distancesJson,
   distancesPly,
   pathsJson,
   pathsObj,
-} from '../distance_formats.js';
-import { lengthsJson, placedPointsJson, pointsJson } from '../json_forms.js';
-import { partitionGlb, partitionJson, partitionObj, partitionPly } from '../partition_formats.js';
-import { polygonGlb, polygonJson, polygonObj, polygonPly, polygonStl } from '../polygon_formats.js';
-import { ply, type PlyColumns } from '../ply.js';
+} from '../output/distance_formats.js';
+import { lengthsJson, placedPointsJson, pointsJson } from '../output/json_forms.js';
+import {
+  partitionGlb,
+  partitionJson,
+  partitionObj,
+  partitionPly,
+} from '../output/partition_formats.js';
+import {
+  polygonGlb,
+  polygonJson,
+  polygonObj,
+  polygonPly,
+  polygonStl,
+} from '../output/polygon_formats.js';
+import { ply, type PlyColumns } from '../output/ply.js';
 import type {
   Distances,
   Located,
@@ -24,8 +35,8 @@ import type {
   SurfacePath,
   SurfacePoints,
   Violation,
-} from '../results.js';
-import type { Diagram, Mesh } from '../types.js';
+} from '../api/results.js';
+import type { Diagram, Mesh } from '../api/types.js';
 import { standard, type Values } from './options.js';
 import { listed, UsageError, type Lengths } from './values.js';
 

@@ -20,7 +20,7 @@ import { basename, dirname, join, resolve, sep } from 'node:path';
 import type { Readable } from 'node:stream';
 import { gltfResourceUris } from '../input/gltf_document.js';
 import { placeOf } from '../input/model_files.js';
-import type { ModelFile, ModelFiles } from '../options.js';
+import type { ModelFile, ModelFiles } from '../api/options.js';
 import { standard } from './options.js';
 
 /** A file cannot be read or written: exit status 1. */

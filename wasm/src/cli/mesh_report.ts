@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The facts of a mesh, as `info` prints them.
-import type { MeshInfo } from '../results.js';
-import { integer, repairSentences } from '../sentences.js';
+import type { MeshInfo } from '../api/results.js';
+import { integer, repairSentences } from '../base/sentences.js';
 
 /** The facts of a mesh, a line each, for people; `unit` is that of lengths, if it has a name. */
 export function meshReport(

@@ -13,10 +13,10 @@ import {
   repairDefaults,
   samplingDefaults,
   tessellationDefaults,
-} from '../arguments.js';
-import { partitionLayouts } from '../partition_formats.js';
-import { cvtMethods, metrics, orientations, samplings, worstRegions } from '../results.js';
-import { gltfLimitNames } from '../options.js';
+} from '../library/arguments.js';
+import { partitionLayouts } from '../output/partition_formats.js';
+import { cvtMethods, metrics, orientations, samplings, worstRegions } from '../api/results.js';
+import { gltfLimitNames } from '../api/options.js';
 import {
   assignments,
   integer,

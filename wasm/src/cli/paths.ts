@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Shortest paths between the points that the command is given.
-import type { SurfacePath } from '../results.js';
-import { partOf } from '../slices.js';
-import type { SurfacePointsInput } from '../options.js';
-import type { Mesh } from '../types.js';
+import type { SurfacePath } from '../api/results.js';
+import { partOf } from '../base/slices.js';
+import type { SurfacePointsInput } from '../api/options.js';
+import type { Mesh } from '../api/types.js';
 import { FileError } from './files.js';
 import type { PointsOnSurface } from './sites.js';
 

@@ -2,7 +2,7 @@
 //
 // Lists that the command reads: points and numbers.
 import { isJson, readJson, readPointsFile } from '../input/points_reader.js';
-import { type PointsFile, pointsFile } from '../points_file.js';
+import { type PointsFile, pointsFile } from '../input/points_file.js';
 import { exists, FileError, readBytes } from './files.js';
 import { standard } from './options.js';
 

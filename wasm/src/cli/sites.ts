@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // The mesh of a command and its sites: read from files, or sampled.
-import { GeodesicVoronoiError } from '../errors.js';
-import { toPoints } from '../arguments.js';
+import { GeodesicVoronoiError } from '../api/errors.js';
+import { toPoints } from '../library/arguments.js';
 import { load } from '../node.js';
-import type { SurfacePoints } from '../results.js';
-import { counted, integer } from '../sentences.js';
-import type { Density } from '../options.js';
-import type { Mesh } from '../types.js';
+import type { SurfacePoints } from '../api/results.js';
+import { counted, integer } from '../base/sentences.js';
+import type { Density } from '../api/options.js';
+import type { Mesh } from '../api/types.js';
 import { FileError, type Output, readModel } from './files.js';
 import { areRandom, standard, type Values } from './options.js';
 import { type GivenPoints, readPoints } from './points.js';

@@ -2,7 +2,7 @@
 //
 // Places in a table of text: x, y and z in a line each.
 
-import { show } from '../checks.js';
+import { show } from '../base/checks.js';
 
 const axes = ['x', 'y', 'z'];
 

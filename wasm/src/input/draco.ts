@@ -2,7 +2,7 @@
 //
 // Primitives as KHR_draco_mesh_compression has them, decoded by Google's library.
 
-import { awake } from '../compile.js';
+import { awake } from '../base/compile.js';
 import createDracoModule, { type DracoModule, type Pointer } from './draco_decoder.js';
 import { gltfFault, type JsonObject } from './gltf_document.js';
 

@@ -3,8 +3,8 @@
 // A glTF before it is read: the files that it refers to, and whether anything in it is compressed.
 // Faults are left to the reader in C++, which gets the glTF as it is.
 
-import { requireBytes } from '../checks.js';
-import { GeodesicVoronoiError } from '../errors.js';
+import { requireBytes } from '../base/checks.js';
+import { GeodesicVoronoiError } from '../api/errors.js';
 import { parseJsonMembers } from './json_members.js';
 
 /** A value of JSON about which nothing is known yet. */

@@ -3,11 +3,11 @@
 // glTF files, read by gltf.wasm.
 
 import type { GltfFile } from './gltf_document.js';
-import type { MeshPart } from '../results.js';
-import { inSlices } from '../slices.js';
-import type { Triangles } from '../triangles.js';
-import type { GltfLimits, TaskOptions } from '../options.js';
-import { WasmModule } from '../wasm_module.js';
+import type { MeshPart } from '../api/results.js';
+import { inSlices } from '../base/slices.js';
+import type { Triangles } from '../base/triangles.js';
+import type { GltfLimits, TaskOptions } from '../api/options.js';
+import { WasmModule } from '../base/wasm_module.js';
 
 /** The triangles of a glTF scene in world space. */
 interface GltfScene extends Triangles {

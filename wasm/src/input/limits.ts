@@ -2,8 +2,8 @@
 //
 // Limits on the size of a model, so that a small file cannot take all memory or hours.
 
-import { type GeodesicVoronoiError, invalidFile } from '../errors.js';
-import type { GltfLimits } from '../options.js';
+import { type GeodesicVoronoiError, invalidFile } from '../api/errors.js';
+import type { GltfLimits } from '../api/options.js';
 
 /** The limits of the glTF reader that apply to every format. */
 export type SizeLimits = Required<Pick<GltfLimits, 'maxVertices' | 'maxTriangles'>>;

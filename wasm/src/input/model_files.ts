@@ -2,9 +2,9 @@
 //
 // The files of a model: which of them is the model, and which file a URI in it refers to.
 
-import { isA } from '../checks.js';
-import { GeodesicVoronoiError, invalidFile } from '../errors.js';
-import type { ModelFile, ModelFiles } from '../options.js';
+import { isA } from '../base/checks.js';
+import { GeodesicVoronoiError, invalidFile } from '../api/errors.js';
+import type { ModelFile, ModelFiles } from '../api/options.js';
 
 const modelName = /\.(glb|gltf|obj|off|ply|stl)$/i;
 const archiveName = /\.zip$/i;

@@ -2,7 +2,7 @@
 //
 // The format of a file, found from its content, because names can be wrong or missing.
 
-import { invalidFile } from '../errors.js';
+import { invalidFile } from '../api/errors.js';
 import { hasBinaryStl, isBinaryStl } from './stl_layout.js';
 
 export type FileFormat = 'glTF' | 'OBJ' | 'OFF' | 'PLY' | 'binary STL' | 'text STL' | 'zip';

@@ -4,10 +4,10 @@
 // vertices' numbers: from 1, or from -1 for the last one before it. Their texture coordinates and
 // normals, and materials, do not matter here.
 
-import { invalidFile } from '../errors.js';
-import type { SlicedWork } from '../slices.js';
-import type { ReadModel } from '../triangles.js';
-import { GrowingArray } from './growing_array.js';
+import { invalidFile } from '../api/errors.js';
+import type { SlicedWork } from '../base/slices.js';
+import type { ReadModel } from '../base/triangles.js';
+import { GrowingArray } from '../base/growing_array.js';
 import { requireVertices, type SizeLimits } from './limits.js';
 import { Polygons } from './polygons.js';
 import { lineFault, TextWords } from './text_words.js';

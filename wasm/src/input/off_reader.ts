@@ -3,10 +3,10 @@
 // OFF, the format of Geomview, as text: the counts, a vertex per line, a face per line. Normals,
 // colours and texture coordinates do not matter here.
 
-import { invalidFile } from '../errors.js';
-import type { SlicedWork } from '../slices.js';
-import type { ReadModel } from '../triangles.js';
-import { GrowingArray } from './growing_array.js';
+import { invalidFile } from '../api/errors.js';
+import type { SlicedWork } from '../base/slices.js';
+import type { ReadModel } from '../base/triangles.js';
+import { GrowingArray } from '../base/growing_array.js';
 import { requireTriangles, requireVertices, type SizeLimits } from './limits.js';
 import { Polygons } from './polygons.js';
 import { TextWords } from './text_words.js';

@@ -2,7 +2,7 @@
 //
 // The header of a PLY: what elements it has, how many, and of what properties.
 
-import { invalidFile } from '../errors.js';
+import { invalidFile } from '../api/errors.js';
 import { lineFault } from './text_words.js';
 
 interface Line {

@@ -4,10 +4,10 @@
 // vertices, their property `density` if they have it, its faces, and triangle strips, which scans
 // come in. Everything else is passed over.
 
-import { invalidFile } from '../errors.js';
-import type { SlicedWork } from '../slices.js';
-import type { ReadModel } from '../triangles.js';
-import { GrowingArray } from './growing_array.js';
+import { invalidFile } from '../api/errors.js';
+import type { SlicedWork } from '../base/slices.js';
+import type { ReadModel } from '../base/triangles.js';
+import { GrowingArray } from '../base/growing_array.js';
 import { requireVertices, type SizeLimits } from './limits.js';
 import {
   type PlyElement,

@@ -2,7 +2,7 @@
 //
 // Files of points: JSON, also of a result; or places, in a PLY or a table.
 
-import { inSlices } from '../slices.js';
+import { inSlices } from '../base/slices.js';
 import { readCsvPlaces } from './csv_places.js';
 import { parseJson } from './json_members.js';
 import { toSizeLimits } from './limits.js';

@@ -4,9 +4,9 @@
 // triangles, also where corners lie in a line: else the faces beside it would not fit any more.
 
 import earcut, { refine } from 'earcut';
-import { counted } from '../sentences.js';
-import type { SlicedWork } from '../slices.js';
-import { GrowingArray } from './growing_array.js';
+import { counted } from '../base/sentences.js';
+import type { SlicedWork } from '../base/slices.js';
+import { GrowingArray } from '../base/growing_array.js';
 import { requireCorners, requireTriangles, type SizeLimits } from './limits.js';
 
 /** How far corners are moved, as a share of the polygon: more than rounding, less than any detail. */

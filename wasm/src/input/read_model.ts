@@ -2,14 +2,13 @@
 //
 // From the files of a model to its triangles. What a format needs is loaded with its first file.
 
-import type { CompiledModule } from '../compile.js';
-import type { FileInput } from '../engine.js';
-import { invalidFile } from '../errors.js';
+import type { CompiledModule } from '../base/compile.js';
+import { invalidFile } from '../api/errors.js';
 import { readGltf } from './gltf_reader.js';
-import type { MeshOrigin, MeshPart } from '../results.js';
-import { inSlices, type SlicedWork } from '../slices.js';
-import type { ReadModel, Triangles } from '../triangles.js';
-import type { ModelFiles, TaskOptions } from '../options.js';
+import type { MeshOrigin, MeshPart } from '../api/results.js';
+import { inSlices, type SlicedWork } from '../base/slices.js';
+import type { ReadModel, Triangles } from '../base/triangles.js';
+import type { GltfLimits, ModelFiles, TaskOptions } from '../api/options.js';
 import { decompressed } from './gltf_decompression.js';
 import {
   type GltfFile,
@@ -27,6 +26,14 @@ import { type FileFormat, formatOf } from './model_format.js';
 export interface InputModules {
   gltf(): Promise<CompiledModule>;
   draco(): Promise<CompiledModule>;
+}
+
+/** What a mesh is read from. */
+export interface FileInput {
+  files: ModelFiles;
+  limits: GltfLimits;
+  /** The path of the model to read, of several. */
+  file?: string;
 }
 
 export interface Model {

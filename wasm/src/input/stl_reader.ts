@@ -4,10 +4,10 @@
 // follow from these. The length tells binary from text, since some binary files begin with "solid",
 // as text does.
 
-import { invalidFile } from '../errors.js';
-import type { SlicedWork } from '../slices.js';
-import type { ReadModel } from '../triangles.js';
-import { GrowingArray } from './growing_array.js';
+import { invalidFile } from '../api/errors.js';
+import type { SlicedWork } from '../base/slices.js';
+import type { ReadModel } from '../base/triangles.js';
+import { GrowingArray } from '../base/growing_array.js';
 import { requireTriangles, requireVertices, type SizeLimits } from './limits.js';
 import { stlBytes, stlTriangleCount } from './stl_layout.js';
 import { TextWords } from './text_words.js';

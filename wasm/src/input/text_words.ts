@@ -3,7 +3,7 @@
 // The words of a text file, line by line, and what goes wrong in one. However long the file is, or
 // a line of it, only a small part of it is a string at a time.
 
-import { type GeodesicVoronoiError, invalidFile } from '../errors.js';
+import { type GeodesicVoronoiError, invalidFile } from '../api/errors.js';
 
 const blockBytes = 2 ** 16;
 /** No number or keyword is as long. */

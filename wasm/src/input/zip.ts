@@ -5,9 +5,9 @@
 // few bytes can hold terabytes of zeros.
 
 import { Inflate } from 'fflate';
-import { invalidFile } from '../errors.js';
-import { inSlices, type SlicedWork } from '../slices.js';
-import type { ModelFiles, TaskOptions } from '../options.js';
+import { invalidFile } from '../api/errors.js';
+import { inSlices, type SlicedWork } from '../base/slices.js';
+import type { ModelFiles, TaskOptions } from '../api/options.js';
 
 /**
  * The most bytes that all files together may unpack to: models are packed to a quarter or so, and

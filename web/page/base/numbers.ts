@@ -2,7 +2,7 @@
 //
 // Numbers as the page writes them.
 
-export { counted, integer } from '../../../dist/sentences.js';
+export { counted, integer } from '../../../dist/base/sentences.js';
 export { measure } from '../../viewer/layers/measure.js';
 
 export function duration(milliseconds: number): string {

@@ -6,7 +6,7 @@ import type { SurfacePoints } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../../viewer/element.js';
 import { maxHeaderBytes, readPlyHeader } from '../../../dist/input/ply_header.js';
 import { readPointsFile } from '../../../dist/input/points_reader.js';
-import { pointsFile } from '../../../dist/points_file.js';
+import { pointsFile } from '../../../dist/input/points_file.js';
 import { sentence } from '../../viewer/session/failure.js';
 import { byId } from '../base/dom.js';
 import { hideError, showError, showNoteOnSites } from '../base/messages.js';

@@ -6,8 +6,8 @@
 import { copyFileSync, mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
-import { GlbBuilder } from '../../../dist/glb.js';
-import { ply } from '../../../dist/ply.js';
+import { GlbBuilder } from '../../../dist/output/glb.js';
+import { ply } from '../../../dist/output/ply.js';
 import { bearingBlock, tangleCube, tripleTorus } from './implicit_shapes.mjs';
 import { knot, moebiusStrip, ripples, torus } from './shapes.mjs';
 import { subdivide } from './subdivision.mjs';

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+//
+// Long work on the calling thread, in slices: between them the thread serves others, progress is
+// reported, and the caller may abort.
+
+import type { TaskOptions } from '../api/options.js';
+
+/** How long a slice of work may keep its thread from anything else. */
+const sliceMilliseconds = 12;
+
+/** Work that can be interrupted: it yields the share done, 0 … 1, wherever it may pause. */
+export type SlicedWork<Result> = Generator<number, Result>;
+
+/** A part of a task: its share done, from 0 to 1, is one of the task's, between two shares of that. */
+export function partOf({ signal, onProgress }: TaskOptions, from: number, to: number): TaskOptions {
+  return { signal, onProgress: onProgress && ((share) => onProgress(from + (to - from) * share)) };
+}
+
+export async function inSlices<Result>(
+  work: SlicedWork<Result>,
+  { signal, onProgress }: TaskOptions,
+): Promise<Result> {
+  for (;;) {
+    const end = performance.now() + sliceMilliseconds;
+    let next = work.next();
+    while (!next.done && performance.now() < end) next = work.next();
+    if (next.done) return next.value;
+    onProgress?.(next.value);
+    await nextTask();
+    signal?.throwIfAborted();
+  }
+}
+
+/** Lets other tasks of this thread run. Not by a timer: browsers slow timers down. */
+function nextTask(): Promise<void> {
+  return new Promise((resolve) => {
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = () => {
+      port1.close();
+      resolve();
+    };
+    port2.postMessage(undefined);
+  });
+}

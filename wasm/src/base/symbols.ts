@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+//
+// Names of methods that JavaScript itself and Node call.
+
+/** `Symbol.dispose`, also where the runtime does not know it yet. */
+export const disposeSymbol: typeof Symbol.dispose = Symbol.dispose ?? Symbol.for('Symbol.dispose');
+
+/** What `console.log` in Node shows of an object, whose values are not its own fields. */
+export const inspectSymbol = Symbol.for('nodejs.util.inspect.custom');

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: MIT
+//
+// The library on the thread that calls it: objects in core.wasm, and long work in slices.
+
+import { compile, type CompileAddress } from '../base/compile.js';
+import {
+  cvtArguments,
+  type AdvancedCvt,
+  type CvtForm,
+  type CvtSettings,
+  type DiagramForm,
+  type Engine,
+  type EngineSources,
+  type Handle,
+  type MeshBuild,
+  type OpenedCvt,
+  type OpenedDiagram,
+  type OpenedMesh,
+  settled,
+} from './engine.js';
+import { GeodesicVoronoiError } from '../api/errors.js';
+import { type FileInput, type InputModules, readModel } from '../input/read_model.js';
+import type { DiagramData, MeshInfo, MeshPart, SurfacePoints } from '../api/results.js';
+import { openSeamsNote } from '../base/sentences.js';
+import { inSlices, partOf, type SlicedWork } from '../base/slices.js';
+import {
+  type Subdivision,
+  subdividedParts,
+  subdividedTriangles,
+  subdivisionNote,
+} from './subdivision.js';
+import type { Triangles } from '../base/triangles.js';
+import type { TaskOptions } from '../api/options.js';
+import { type Argument, WasmModule } from '../base/wasm_module.js';
+
+/** Numbers that are copied between two looks at the clock. */
+const numbersPerStep = 2 ** 15;
+/** The approximate share of reading in the time for a mesh from a file; building is the rest. */
+const readingShare = 0.7;
+
+/** The address of an object in core.wasm. */
+type Pointer = number;
+
+/** An object that is stored until it is closed, with the function that frees it. */
+interface StoredObject {
+  pointer: Pointer;
+  free?: 'freeMesh' | 'freeVoronoi' | 'freeCvt';
+  /** The mesh of a diagram, made when first asked for and freed with the diagram. */
+  mesh?: Handle;
+  lastCall?: Promise<void>;
+  /** Whether a tessellation has no further iteration. */
+  isFinished?: boolean;
+}
+
+/** The answer of `createMesh`: the mesh and its facts. */
+type CreatedMesh = Omit<MeshInfo, 'origin' | 'notes'> & { mesh: Pointer };
+
+export class LocalEngine implements Engine {
+  readonly version: string;
+  #core: WasmModule | undefined;
+  readonly #inputModules: InputModules;
+  readonly #objects = new Map<Handle, StoredObject>();
+  #lastHandle: Handle = 0;
+
+  private constructor(core: WasmModule, inputModules: InputModules) {
+    this.#core = core;
+    this.#inputModules = inputModules;
+    this.version = core.text('version');
+  }
+
+  static async load(sources: EngineSources, compileAddress: CompileAddress): Promise<LocalEngine> {
+    const core = await WasmModule.instantiate(await compile('wasm', sources.wasm, compileAddress));
+    return new LocalEngine(core, {
+      gltf: whenNeeded(() => compile('gltfWasm', sources.gltfWasm, compileAddress)),
+      draco: whenNeeded(() => compile('dracoWasm', sources.dracoWasm, compileAddress)),
+    });
+  }
+
+  /** Calls about one object are answered one after the other. */
+  call<Result>(
+    name: string,
+    object: Handle,
+    args: readonly Argument[],
+    { signal, onProgress }: TaskOptions,
+  ): Promise<Result> {
+    const stored = this.#objects.get(object);
+    const result = (stored?.lastCall ?? Promise.resolve()).then(async () => {
+      signal?.throwIfAborted();
+      const answer = await this.#answerOf<Result>(name, object, args, { signal, onProgress });
+      onProgress?.(1);
+      return answer;
+    });
+    if (stored) stored.lastCall = settled(result);
+    return result;
+  }
+
+  async callMesh<Result>(
+    name: string,
+    object: Handle,
+    args: readonly Argument[],
+    task: TaskOptions,
+  ): Promise<Result> {
+    return this.call(name, this.#meshOf(object), args, task);
+  }
+
+  async openMesh(
+    source: Triangles | FileInput,
+    build: MeshBuild,
+    task: TaskOptions,
+  ): Promise<OpenedMesh> {
+    task.signal?.throwIfAborted();
+    return 'positions' in source
+      ? this.#openTriangles(source, [], build, task)
+      : this.#openFiles(source, build, task);
+  }
+
+  async #openFiles(input: FileInput, build: MeshBuild, task: TaskOptions): Promise<OpenedMesh> {
+    const { parts, origin, notes, ...read } = await readModel(
+      input,
+      this.#inputModules,
+      partOf(task, 0, readingShare),
+    );
+    const { info, triangles, ...opened } = await this.#openTriangles(
+      read.triangles,
+      parts,
+      build,
+      partOf(task, readingShare, 1),
+    );
+    return {
+      ...opened,
+      info: { ...info, origin, notes: [...notes, ...info.notes] },
+      triangles: triangles ?? read.triangles,
+    };
+  }
+
+  async #openTriangles(
+    given: Triangles,
+    parts: MeshPart[],
+    { maxEdge, weld, orientation, minComponent }: MeshBuild,
+    { signal, onProgress }: TaskOptions,
+  ): Promise<OpenedMesh> {
+    const core = this.#open();
+    const arrays = core.call('newMeshArrays', given.positions.length, given.indices.length);
+    try {
+      await inSlices(this.#copyInto(arrays, given), { signal });
+      const cut =
+        maxEdge > 0
+          ? await this.#answer<Subdivision>('subdivideMeshArrays', [arrays, maxEdge], { signal })
+          : undefined;
+      const triangles = cut && subdividedTriangles(given, cut);
+      const args = [arrays, weld, orientation, minComponent];
+      const { mesh, ...counts } = await this.#answer<CreatedMesh>('createMesh', args, {
+        signal,
+        onProgress,
+      });
+      const info: MeshInfo = {
+        ...counts,
+        origin: { format: 'arrays', file: '' },
+        notes: [
+          ...(cut ? [subdivisionNote(given.indices.length / 3, cut)] : []),
+          ...(counts.hasOpenSeams ? [openSeamsNote] : []),
+        ],
+      };
+      const handle = this.#store({ pointer: mesh, free: 'freeMesh' });
+      try {
+        onProgress?.(1); // may throw, which ends the task
+      } catch (error) {
+        this.close(handle);
+        throw error;
+      }
+      if (!cut) return { handle, info, parts };
+      return { handle, info, parts: subdividedParts(parts, cut), triangles };
+    } finally {
+      core.run('freeMeshArrays', arrays);
+    }
+  }
+
+  /** Copies triangles into arrays of core.wasm. */
+  *#copyInto(arrays: Pointer, { positions, indices }: Triangles): SlicedWork<void> {
+    const length = Math.max(positions.length, indices.length);
+    for (let at = 0; at < length; at += numbersPerStep) {
+      const part = [at, at + numbersPerStep];
+      const pieces = [positions.subarray(...part), indices.subarray(...part)];
+      this.#open().call('appendToMeshArrays', arrays, ...pieces);
+      yield at / length;
+    }
+  }
+
+  /** The answer of a function about an object, which may be closed between slices. */
+  #answerOf<Result>(
+    name: string,
+    object: Handle,
+    args: readonly Argument[],
+    task: TaskOptions,
+  ): Promise<Result> {
+    const pointer = () => this.#pointer(object);
+    return this.#answer<Result>(name, [pointer(), ...args], task, pointer);
+  }
+
+  /** The answer of a function of core.wasm, worked on in slices; the caller reports the share 1. */
+  async #answer<Result>(
+    name: string,
+    args: readonly Argument[],
+    { signal, onProgress }: TaskOptions,
+    requireOpen: () => unknown = () => {},
+  ): Promise<Result> {
+    const core = this.#open();
+    const answer = core.call(name, ...args);
+    const requireBoth = () => {
+      this.#open();
+      requireOpen();
+    };
+    try {
+      await inSlices(core.working(answer, requireBoth), { signal, onProgress });
+      return await inSlices(core.copying<Result>(answer), { signal });
+    } finally {
+      core.run('freeAnswer', answer);
+    }
+  }
+
+  async openDiagram(
+    owner: Handle,
+    { face, bary }: SurfacePoints,
+    { metric, detail }: DiagramForm,
+    { signal, onProgress }: TaskOptions,
+  ): Promise<OpenedDiagram> {
+    signal?.throwIfAborted();
+    const mesh = this.#pointer(this.#meshOf(owner));
+    const args = [mesh, face, bary, metric, detail];
+    const { voronoi } = await this.#answer<{ voronoi: Pointer }>('createVoronoi', args, {
+      signal,
+      onProgress,
+    });
+    const core = this.#open();
+    try {
+      const data = await this.#answer<DiagramData>('voronoiDiagram', [voronoi], { signal });
+      onProgress?.(1); // may throw, which ends the task
+      return { handle: this.#store({ pointer: voronoi, free: 'freeVoronoi' }), data };
+    } catch (error) {
+      core.run('freeVoronoi', voronoi);
+      throw error;
+    }
+  }
+
+  async openCvt(
+    mesh: Handle,
+    { face, bary }: SurfacePoints,
+    settings: CvtSettings,
+    { signal }: TaskOptions,
+  ): Promise<OpenedCvt> {
+    signal?.throwIfAborted();
+    const args = [this.#pointer(mesh), face, bary, ...cvtArguments(settings)];
+    const pointer = this.#open().call('startCvt', ...args);
+    return { handle: this.#store({ pointer, free: 'freeCvt' }) };
+  }
+
+  async advanceCvt(
+    handle: Handle,
+    form: CvtForm,
+    { signal }: TaskOptions,
+  ): Promise<AdvancedCvt | undefined> {
+    signal?.throwIfAborted();
+    if (this.#stored(handle).isFinished) return undefined;
+    const { isLast, ...state } = await this.#answerOf<AdvancedCvt & { isLast: boolean }>(
+      'advanceCvt',
+      handle,
+      [],
+      { signal },
+    );
+    this.#stored(handle).isFinished = isLast;
+    if (form === 'bare') return state;
+    const data = await this.#answerOf<DiagramData>('cvtDiagram', handle, [], { signal });
+    const withData = { ...state, data };
+    if (form === 'data') return withData;
+    const pointer = this.#open().call('cvtVoronoi', this.#pointer(handle));
+    return { ...withData, handle: this.#store({ pointer, free: 'freeVoronoi' }) };
+  }
+
+  close(object: Handle): void {
+    const stored = this.#objects.get(object);
+    if (stored?.free) this.#core?.run(stored.free, stored.pointer);
+    if (stored?.mesh !== undefined) this.#objects.delete(stored.mesh);
+    this.#objects.delete(object);
+  }
+
+  /** Lets go of the instance: all its memory at once. */
+  dispose(): void {
+    this.#core = undefined;
+    this.#objects.clear();
+  }
+
+  #open(): WasmModule {
+    if (!this.#core) throw new GeodesicVoronoiError('disposed', 'the library has been disposed');
+    return this.#core;
+  }
+
+  #pointer(object: Handle): Pointer {
+    return this.#stored(object).pointer;
+  }
+
+  #stored(object: Handle): StoredObject {
+    this.#open(); // throws if the library has been disposed, and with it the object
+    const stored = this.#objects.get(object);
+    if (!stored) throw new GeodesicVoronoiError('disposed', 'the object has been disposed');
+    return stored;
+  }
+
+  /** The mesh itself, or the mesh that a diagram is on. */
+  #meshOf(object: Handle): Handle {
+    const stored = this.#objects.get(object);
+    if (stored?.free !== 'freeVoronoi') return object;
+    stored.mesh ??= this.#store({ pointer: this.#open().call('meshOfVoronoi', stored.pointer) });
+    return stored.mesh;
+  }
+
+  #store(object: StoredObject): Handle {
+    this.#objects.set(++this.#lastHandle, object);
+    return this.#lastHandle;
+  }
+}
+
+/** Makes a value when it is first asked for; after a failure, the next request tries again. */
+function whenNeeded<Value>(make: () => Promise<Value>): () => Promise<Value> {
+  let made: Promise<Value> | undefined;
+  return () =>
+    (made ??= make().catch((error) => {
+      made = undefined;
+      throw error;
+    }));
+}

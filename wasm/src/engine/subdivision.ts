@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+//
+// What belongs to vertices and triangles, carried over to subdivided ones.
+
+import type { MeshPart } from '../api/results.js';
+import { counted, integer } from '../base/sentences.js';
+import type { Triangles } from '../base/triangles.js';
+
+/** The answer of `subdivideMeshArrays` (subdivision.h). */
+export interface Subdivision {
+  /** The given vertices, then the midpoints. */
+  positions: Float64Array<ArrayBuffer>;
+  indices: Int32Array<ArrayBuffer>;
+  /** Per triangle, ascending: the given triangle that it is part of. */
+  parents: Int32Array<ArrayBuffer>;
+  /** Per midpoint, the two vertices that it lies between. */
+  ends: Int32Array<ArrayBuffer>;
+}
+
+/** The parts of triangles; attributes of midpoints are the means of those at their ends. */
+export function subdividedTriangles(
+  { indices: whole, normals, uvs, density }: Triangles,
+  { positions, indices, parents, ends }: Subdivision,
+): Triangles {
+  return {
+    positions,
+    indices,
+    parents,
+    whole,
+    ends,
+    normals: unitVectors(extended(normals, 3, ends), normals.length),
+    uvs: extended(uvs, 2, ends),
+    density: extended(density, 1, ends),
+  };
+}
+
+/** Runs of triangles, by the numbers of their parts. */
+export function subdividedParts(parts: readonly MeshPart[], { parents }: Subdivision): MeshPart[] {
+  const firstOf = (triangle: number) => {
+    let [low, high] = [0, parents.length];
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (parents[middle] < triangle) low = middle + 1;
+      else high = middle;
+    }
+    return low;
+  };
+  return parts.map((part) => {
+    const firstTriangle = firstOf(part.firstTriangle);
+    const end = firstOf(part.firstTriangle + part.triangleCount);
+    return { ...part, firstTriangle, triangleCount: end - firstTriangle };
+  });
+}
+
+/** A sentence on what was subdivided. */
+export function subdivisionNote(triangles: number, { indices }: Subdivision): string {
+  return `long edges were halved: ${counted(triangles, 'triangle')} became ${integer(indices.length / 3)}`;
+}
+
+/** Values per vertex, `size` numbers each, with those of the midpoints. */
+export function extended(values: Float64Array, size: number, ends: Int32Array): Float64Array {
+  if (values.length === 0) return values;
+  const all = new Float64Array(values.length + (size * ends.length) / 2);
+  all.set(values);
+  for (let i = 0, at = values.length; i < ends.length; i += 2) {
+    for (let k = 0; k < size; ++k) {
+      all[at++] = (all[size * ends[i] + k] + all[size * ends[i + 1] + k]) / 2;
+    }
+  }
+  return all;
+}
+
+/** Gives the vectors from `begin` on the length 1; opposite normals have no mean, and keep 0. */
+function unitVectors(vectors: Float64Array, begin: number): Float64Array {
+  for (let i = begin; i < vectors.length; i += 3) {
+    const [x, y, z] = [vectors[i], vectors[i + 1], vectors[i + 2]];
+    const length = Math.sqrt(x * x + y * y + z * z) || 1;
+    for (let k = i; k < i + 3; ++k) vectors[k] /= length;
+  }
+  return vectors;
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+//
+// Points in a JSON file, in every form that the library writes.
+
+import { isObject } from '../base/checks.js';
+import { GeodesicVoronoiError, invalidArgument } from '../api/errors.js';
+import type { MeshInfo } from '../api/results.js';
+import type { SurfacePointsInput } from '../api/options.js';
+
+/** The content of a file of points. */
+export interface PointsFile {
+  points: SurfacePointsInput;
+  /** The number of triangles of their mesh, if the file says so. */
+  faces?: number;
+}
+
+/** The content of a parsed file: a list of points, or the sites of a result. */
+export function pointsFile(json: unknown): PointsFile {
+  const points = has(json, 'sites') ? json.sites : json;
+  const isList = has(points, 'face') && has(points, 'bary');
+  if (!isList && !has(points, 'vertex') && !has(points, 'position')) {
+    throw invalidArgument(
+      'there are no points: {"face": […], "bary": […]}, {"vertex": […]} or {"position": [x, y, z, …]}',
+    );
+  }
+  const isOfMesh = has(json, 'mesh') && has(json.mesh, 'faces');
+  return {
+    points: points as SurfacePointsInput,
+    ...(isOfMesh && { faces: Number((json.mesh as { faces: unknown }).faces) }),
+  };
+}
+
+/** Refuses points that belong to a mesh with another number of triangles. */
+export function requireSameMesh({ faces }: PointsFile, { inputFaces }: MeshInfo): void {
+  if (faces === undefined || faces === inputFaces) return;
+  throw new GeodesicVoronoiError(
+    'invalid-point',
+    `the points belong to another mesh: to one with ${faces} triangles, not ${inputFaces}`,
+  );
+}
+
+function has<Key extends string>(value: unknown, key: Key): value is Record<Key, unknown> {
+  return isObject(value) && key in value;
+}

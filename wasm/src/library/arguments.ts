@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: MIT
+//
+// Checks the form of what callers pass, and copies it. Whether it makes sense on the surface is
+// checked by the core.
+
+import { isA, isObject, show, toFloat64, toInt32, toInteger, toOneOf } from '../base/checks.js';
+import type { CvtSettings, MeshBuild } from '../engine/engine.js';
+import type { FileInput } from '../input/read_model.js';
+import { invalidArgument } from '../api/errors.js';
+import {
+  cvtMethods,
+  metrics,
+  orientations,
+  samplings,
+  worstRegions,
+  type Metric,
+  type Sampling,
+  type SurfacePoints,
+  type WorstRegion,
+} from '../api/results.js';
+import type { Triangles } from '../base/triangles.js';
+import { gltfLimitNames } from '../api/options.js';
+import type {
+  Density,
+  GltfLimits,
+  MeshArrays,
+  MeshOptions,
+  MeshSource,
+  ModelFile,
+  ModelFiles,
+  SurfacePointsInput,
+} from '../api/options.js';
+
+/** Each level about doubles the segments: ten levels make a thousand of one. */
+export const maxDetail = 10;
+
+/** The core counts in 32 bits. */
+export const maxCount = 2 ** 31 - 1;
+
+/** The greatest limit of the glTF reader: its memory has no more bytes than this. */
+export const maxLimit = 2 ** 32 - 1;
+
+export const meshDefaults = {
+  limits: {},
+  file: undefined,
+  maxEdge: 0,
+  weld: 0,
+  orientation: orientations[0],
+  minComponent: 0,
+} as const;
+
+export const diagramDefaults = { metric: metrics[0], detail: 0 } as const;
+
+/** The default of `sampling` depends on whether a radius is given. */
+export const samplingDefaults = { seed: 1, perComponent: 0, density: [] } as const;
+
+/** How the mesh builder makes a mesh. */
+export function toMeshBuild({ maxEdge, weld, orientation, minComponent }: MeshBuild): MeshBuild {
+  return {
+    maxEdge: toRange('maxEdge', maxEdge, 'share'),
+    weld: toRange('weld', weld, 'share'),
+    orientation: toOneOf('orientation', orientation, orientations),
+    minComponent: toInteger('minComponent', minComponent, 0, maxCount),
+  };
+}
+
+/** The triangles of a mesh, or the files to read them from. */
+export function toMeshInput(
+  source: MeshSource,
+  { limits, file }: Pick<MeshOptions, 'file'> & { limits: GltfLimits },
+): Triangles | FileInput {
+  const reading = { limits: toLimits(limits), file: toFileName(file) };
+  return isMeshArrays(source) ? toTriangles(source) : { files: toFiles(source), ...reading };
+}
+
+/** Without indices, bytes may also be a file of that name. */
+function isMeshArrays(source: MeshSource): source is MeshArrays {
+  if (!isObject(source) || !('positions' in source)) return false;
+  return 'indices' in source || !isModelFile(source.positions);
+}
+
+/** The path of the model to open, if one is given. */
+export function toFileName(file: string | undefined): string | undefined {
+  if (file === undefined || typeof file === 'string') return file;
+  throw invalidArgument(`file is ${show(file)}, not a string`);
+}
+
+function toTriangles(source: MeshArrays): Triangles {
+  const { positions: places, indices, normals, uvs, density } = source;
+  const positions = toFloat64('positions', places);
+  if (indices === undefined) {
+    requireNoOtherIndices(source);
+    if (positions.length % 9 !== 0)
+      throw invalidArgument(
+        `positions has ${positions.length} numbers: without indices, every triangle needs nine`,
+      );
+  }
+  return {
+    positions,
+    indices:
+      indices === undefined
+        ? Int32Array.from({ length: positions.length / 3 }, (_, v) => v)
+        : toInt32('indices', indices),
+    normals: toAttribute('normals', normals, positions.length),
+    uvs: toAttribute('uvs', uvs, (positions.length / 3) * 2),
+    density: toAttribute('density', density, positions.length / 3),
+  };
+}
+
+/** Indices by another name would be missed in silence, and every three vertices be a triangle. */
+function requireNoOtherIndices(source: MeshArrays): void {
+  const known = ['positions', 'indices', 'normals', 'uvs', 'density'];
+  const stranger = Object.keys(source).find((name) => !known.includes(name));
+  if (stranger === undefined) return;
+  throw invalidArgument(
+    `positions come with ${show(stranger)}, but without indices: the fields are ${known.join(', ')}`,
+  );
+}
+
+export function toFiles(source: unknown): ModelFiles {
+  if (isModelFile(source)) return { '': source };
+  if (isA(source, 'ArrayBuffer')) return { '': new Uint8Array(source) };
+  const advice = adviceOn(source);
+  if (isA(source, 'Object') && advice === '') {
+    const files = { ...source };
+    if (Object.values(files).every(isModelFile)) return files as ModelFiles;
+  }
+  throw invalidArgument(
+    `a mesh is made from the bytes of a file, from files by their paths, or from { positions, indices }; this is ${show(source)}${advice}`,
+  );
+}
+
+/** What is nearly a mesh: the address of a file, its bytes to come, or a geometry of three.js. */
+function adviceOn(source: unknown): string {
+  if (typeof source === 'string' || isA(source, 'URL')) return ': fetch or read the file';
+  if (isA(source, 'Promise')) return ': await it';
+  if (isObject(source) && 'isBufferGeometry' in source)
+    return ': pass { positions: geometry.attributes.position.array, indices: geometry.index?.array }';
+  return '';
+}
+
+function isModelFile(value: unknown): value is ModelFile {
+  if (isA(value, 'Uint8Array')) return true;
+  return isObject(value) && 'arrayBuffer' in value && typeof value.arrayBuffer === 'function';
+}
+
+function toLimits(limits: GltfLimits): GltfLimits {
+  if (!isObject(limits)) throw invalidArgument(`limits is ${show(limits)}, not an object`);
+  const given = Object.entries(limits).filter(([, most]) => most !== undefined);
+  for (const [name, most] of given) {
+    toOneOf('the name of a limit', name, gltfLimitNames);
+    toInteger(`limits.${name}`, most, 0, maxLimit);
+  }
+  return Object.fromEntries(given);
+}
+
+/** Points by triangles and coordinates, by vertices, or by places in space, as copies. */
+export type GivenPoints = SurfacePoints | { vertex: Int32Array } | { position: Float64Array };
+
+export function toPoints(name: string, points: SurfacePointsInput): GivenPoints {
+  if (isObject(points)) {
+    requireOneForm(name, points);
+    if ('vertex' in points) return { vertex: toIndices(`${name}.vertex`, points.vertex) };
+    if ('face' in points && 'bary' in points) return toBarycentric(name, points);
+    if ('position' in points) return { position: toPlaces(`${name}.position`, points.position) };
+  }
+  throw invalidArgument(`${name} is ${notPoints(points)}`);
+}
+
+/** One point. */
+export function toPoint(name: string, point: SurfacePointsInput): GivenPoints {
+  const points = toPoints(name, point);
+  const count =
+    'vertex' in points
+      ? points.vertex.length
+      : 'position' in points
+        ? points.position.length / 3
+        : points.face.length;
+  if (count === 1) return points;
+  throw invalidArgument(`${name} is a list of ${count} points where one is needed`);
+}
+
+/** Refuses vertices beside another form. Triangles may come with the places of the same points. */
+function requireOneForm(name: string, points: object): void {
+  const other = ['face', 'bary', 'position'].find((form) => form in points);
+  if ('vertex' in points && other !== undefined)
+    throw invalidArgument(
+      `${name} has both vertex and ${other}: only one can say where points are`,
+    );
+}
+
+/** Says what a value is that is no points. */
+function notPoints(value: unknown): string {
+  if (isA(value, 'Promise')) return 'a promise: await it';
+  if (isObject(value) && Symbol.asyncIterator in value)
+    return 'what cvt gives: loop over it, and pass the sites of a state';
+  if (isObject(value) && 'sites' in value) return 'a result: pass its sites';
+  return (
+    `${show(value)}, not points: { face: [i, …], bary: [b0, b1, b2, …] }, { vertex: [i, …] } ` +
+    'or { position: [x, y, z, …] }'
+  );
+}
+
+function toBarycentric(
+  name: string,
+  points: Extract<SurfacePointsInput, { face: unknown }>,
+): SurfacePoints {
+  const face = toIndices(`${name}.face`, points.face);
+  const bary = toFloat64(`${name}.bary`, points.bary);
+  if (bary.length === 3 * face.length) return { face, bary };
+  throw invalidArgument(
+    `${name}.bary has length ${bary.length}, not ${3 * face.length}: three numbers for each of ${name}.face`,
+  );
+}
+
+function toIndices(name: string, indices: number | ArrayLike<number>): Int32Array<ArrayBuffer> {
+  return toInt32(name, typeof indices === 'number' ? [indices] : indices);
+}
+
+/** Places in space: three finite numbers each. */
+export function toPlaces(name: string, positions: ArrayLike<number>): Float64Array {
+  const numbers = toFloat64(name, positions);
+  if (numbers.length % 3 !== 0)
+    throw invalidArgument(`${name} has ${numbers.length} numbers, not three per place`);
+  const wrong = numbers.findIndex((x) => !Number.isFinite(x));
+  if (wrong < 0) return numbers;
+  throw invalidArgument(`${name}[${wrong}] is ${numbers[wrong]}, not a finite number`);
+}
+
+/** Numbers per vertex, or none. */
+function toAttribute(name: string, values: ArrayLike<number> = [], expected: number): Float64Array {
+  const numbers = toFloat64(name, values);
+  if (numbers.length === 0 || numbers.length === expected) return numbers;
+  throw invalidArgument(`${name} has ${numbers.length} numbers, not ${expected}`);
+}
+
+export function toMetric(metric: Metric): Metric {
+  return toOneOf('metric', metric, metrics);
+}
+
+export function toSampling(sampling: Sampling): Sampling {
+  return toOneOf('sampling', sampling, [...samplings, ...worstRegions]);
+}
+
+export function isWorstFirst(sampling: Sampling): sampling is WorstRegion {
+  return worstRegions.some((name) => name === sampling);
+}
+
+export function toWorstRegion(worst: WorstRegion): WorstRegion {
+  return toOneOf('worst', worst, worstRegions);
+}
+
+export function toRadius(radius: number): number {
+  return toRange('radius', radius, 'radius');
+}
+
+export function toPerComponent(perComponent: number): number {
+  return toInteger('perComponent', perComponent, 0, maxCount);
+}
+
+export const tessellationDefaults = {
+  method: 'lbfgs',
+  metric: diagramDefaults.metric,
+  iterations: 50,
+  energyTolerance: 0,
+  moveTolerance: 0,
+  density: [],
+  fixedSites: [],
+} as const;
+
+/** A density as it was given: numbers, as a copy, or that of the curvature, which is computed later. */
+export type GivenDensity = Float64Array | 'curvature';
+
+/** `attribute` is the density that the mesh came with. */
+export function toDensity(density: Density, attribute: Float64Array): GivenDensity {
+  if (density === 'curvature') return density;
+  const numbers = density === 'attribute' ? attribute : toFloat64('density', density);
+  if (density === 'attribute' && numbers.length === 0)
+    throw invalidArgument('the mesh came without a density');
+  if (numbers.length > 0 && numbers.every((x) => x === 0))
+    throw invalidArgument('the density is zero all over the surface');
+  return numbers;
+}
+
+/** The core checks whether density and fixed sites fit the mesh and the sites. */
+export function toCvtSettings({
+  method,
+  metric,
+  iterations,
+  energyTolerance,
+  moveTolerance,
+  fixedSites,
+}: Omit<CvtSettings, 'density' | 'fixedSites'> & { fixedSites: ArrayLike<number> }): Omit<
+  CvtSettings,
+  'density'
+> {
+  return {
+    method: toOneOf('method', method, cvtMethods),
+    metric: toMetric(metric),
+    iterations: toInteger('iterations', iterations, 0, maxCount),
+    energyTolerance: toRange('energyTolerance', energyTolerance, 'share'),
+    moveTolerance: toRange('moveTolerance', moveTolerance, 'length'),
+    fixedSites: toInt32('fixedSites', fixedSites),
+  };
+}
+
+/** Ranges of numbers, with how an error names them. */
+export const ranges = {
+  share: { name: 'a number from 0 to 1', has: (x: number) => x >= 0 && x <= 1 },
+  length: { name: 'a number from 0', has: (x: number) => x >= 0 && x < Infinity },
+  radius: { name: 'a positive number', has: (x: number) => x > 0 && x < Infinity },
+} as const;
+
+export function toRange(name: string, value: number, range: keyof typeof ranges): number {
+  if (typeof value === 'number' && ranges[range].has(value)) return value;
+  throw invalidArgument(`${name} is ${show(value)}, not ${ranges[range].name}`);
+}
+
+/** The options of a repair unless others are given. */
+export const repairDefaults = { maxAdded: 1000 };
+
+export function toMaxAdded(maxAdded: number): number {
+  return toInteger('maxAdded', maxAdded, 0, maxCount);
+}
+
+export function toDetail(detail: number): number {
+  return toInteger('detail', detail, 0, maxDetail);
+}
+
+export function toCount(count: number): number {
+  return toInteger('count', count, 1, maxCount);
+}
+
+export function toLabel(label: number): number {
+  return toInteger('label', label, 0, maxCount);
+}
+
+export function toSeed(seed: number): number {
+  return toInteger('seed', seed, 0, Number.MAX_SAFE_INTEGER);
+}

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: MIT
+//
+// A diagram as callers hold it: it checks what it is given, leaves the work to an engine, and keeps
+// the arrays up to date with the changes.
+
+import { appendChange, areLarge, changedData, changedSites } from './change.js';
+import { toBoolean, toInteger, toTask, toTaskOptions } from '../base/checks.js';
+import { settled, type DiagramForm, type Engine, type OpenedDiagram } from '../engine/engine.js';
+import { diagramJson, type DiagramJson } from '../output/diagram_formats.js';
+import {
+  maxCount,
+  repairDefaults,
+  toLabel,
+  toMaxAdded,
+  toPoint,
+  toPoints,
+  toWorstRegion,
+  type GivenPoints,
+} from './arguments.js';
+import { EngineObject } from './engine_object.js';
+import { disposeSymbol, inspectSymbol } from '../base/symbols.js';
+import { regionsOf } from '../base/region.js';
+import { partOf } from '../base/slices.js';
+import type {
+  DiagramAccuracy,
+  DiagramChange,
+  DiagramData,
+  DualPaths,
+  Located,
+  Metric,
+  Partition,
+  PolygonMesh,
+  RemeshQuality,
+  SurfacePath,
+  SurfacePoints,
+  Violation,
+  ViolationKind,
+  WorstRegion,
+} from '../api/results.js';
+import type {
+  AccuracyOptions,
+  DualOptions,
+  PartitionOptions,
+  RepairOptions,
+  SurfacePointsInput,
+  TaskOptions,
+} from '../api/options.js';
+import type { Diagram, Region } from '../api/types.js';
+import type { Argument } from '../base/wasm_module.js';
+
+export class EngineDiagram implements Diagram {
+  readonly #form: DiagramForm;
+  readonly #object: EngineObject;
+  #sites: SurfacePoints;
+  #data: DiagramData;
+  /** The changes that `#data` does not have yet: they are merged when the arrays are asked for. */
+  #changes: DiagramChange[] = [];
+  #regions: readonly Region[] | undefined;
+  #lastCall: Promise<void> = Promise.resolve();
+
+  constructor(
+    engine: Engine,
+    form: DiagramForm,
+    sites: SurfacePoints,
+    { handle, data }: OpenedDiagram,
+  ) {
+    this.#form = form;
+    this.#sites = sites;
+    this.#data = data;
+    this.#object = new EngineObject(this, 'diagram', engine, handle);
+  }
+
+  get metric(): Metric {
+    return this.#form.metric;
+  }
+
+  get sites(): SurfacePoints {
+    return this.#sites;
+  }
+
+  get data(): DiagramData {
+    this.#mergeChanges();
+    return this.#data;
+  }
+
+  #mergeChanges(): void {
+    if (this.#changes.length > 0)
+      this.#data = changedData(this.#data, this.#changes, this.#sites.face.length);
+    this.#changes = [];
+  }
+
+  get regions(): readonly Region[] {
+    return (this.#regions ??= regionsOf(this.data));
+  }
+
+  toJSON(): DiagramJson {
+    return diagramJson(this);
+  }
+
+  /** Vue puts no proxy, which could not read private fields, before an object with a tag. */
+  get [Symbol.toStringTag](): string {
+    return 'Diagram';
+  }
+
+  [inspectSymbol](): object {
+    const { metric, sites, data, regions } = this;
+    return { metric, sites, data, regions };
+  }
+
+  async fetchData(options?: TaskOptions): Promise<DiagramData> {
+    const task = toTask(options);
+    return this.#inTurn(task, async () => {
+      if (this.#changes.length > 0) {
+        this.#data = await this.#object.call<DiagramData>('voronoiDiagram', [], task);
+        this.#changes = [];
+        // The loops of these regions are indices into the former arrays.
+        this.#regions = undefined;
+      }
+      return this.#data;
+    });
+  }
+
+  async insertSite(site: SurfacePointsInput, options?: TaskOptions): Promise<DiagramChange> {
+    return this.#change('insertSite', [], toPoint('site', site), options);
+  }
+
+  async moveSite(
+    label: number,
+    site: SurfacePointsInput,
+    options?: TaskOptions,
+  ): Promise<DiagramChange> {
+    return this.#change('moveSite', [toLabel(label)], toPoint('site', site), options);
+  }
+
+  async removeSite(label: number, options?: TaskOptions): Promise<DiagramChange> {
+    return this.#change('removeSite', [toLabel(label)], undefined, options);
+  }
+
+  /**
+   * Changes a site: `args` are the arguments of core.wasm before the new place, if there is one. A
+   * change that has begun goes on to its end, whatever its listener throws: else the engine's
+   * diagram could differ from this one.
+   */
+  async #change(
+    name: string,
+    args: readonly number[],
+    place: GivenPoints | undefined,
+    options: TaskOptions | undefined,
+  ): Promise<DiagramChange> {
+    const { signal, onProgress } = toTask(options);
+    let fault: { error: unknown } | undefined;
+    const report = (share: number) => {
+      try {
+        if (!fault) onProgress?.(share);
+      } catch (error) {
+        fault = { error };
+      }
+    };
+    return this.#inTurn({ signal }, async () => {
+      const site = place && (await this.#object.onSurface(place, { signal }));
+      signal?.throwIfAborted();
+      const all = site ? [...args, site.face, site.bary] : args;
+      const change = await this.#object.call<DiagramChange>(name, all, { onProgress: report });
+      this.#sites = changedSites(this.#sites, change.label, site);
+      appendChange(this.#changes, change);
+      if (areLarge(this.#changes, this.#data)) this.#mergeChanges();
+      this.#regions = undefined;
+      if (fault) throw fault.error;
+      return change;
+    });
+  }
+
+  /** Carries out what is asked of the diagram one after the other, in the order of the calls. */
+  #inTurn<Result>({ signal }: TaskOptions, work: () => Promise<Result>): Promise<Result> {
+    const result = this.#lastCall.then(() => {
+      signal?.throwIfAborted();
+      return work();
+    });
+    this.#lastCall = settled(result);
+    return result;
+  }
+
+  /** Asks core.wasm about the diagram, in turn. */
+  #ask<Result>(name: string, args: readonly Argument[], task: TaskOptions): Promise<Result> {
+    return this.#inTurn(task, () => this.#object.call<Result>(name, args, task));
+  }
+
+  /** Asks about points. */
+  #askOf<Result>(name: string, points: GivenPoints, task: TaskOptions): Promise<Result> {
+    return this.#inTurn(task, async () => {
+      const { face, bary } = await this.#object.onSurface(points, task);
+      return this.#object.call<Result>(name, [face, bary], task);
+    });
+  }
+
+  async locate(points: SurfacePointsInput, options?: TaskOptions): Promise<Located> {
+    return this.#askOf('locate', toPoints('points', points), toTask(options));
+  }
+
+  async accuracy(options?: AccuracyOptions): Promise<DiagramAccuracy> {
+    const { samples, ...task } = toTaskOptions(options, { samples: 1000 });
+    const count = toInteger('samples', samples, 1, maxCount);
+    const { mislabelled, maxEdge } = await this.#ask<DiagramAccuracy>(
+      'diagramAccuracy',
+      [count],
+      task,
+    );
+    return { mislabelled, maxEdge: Number(maxEdge.toPrecision(1)) };
+  }
+
+  async worstRegionPoint(worst: WorstRegion, options?: TaskOptions): Promise<SurfacePoints> {
+    return this.#ask('worstRegionPoint', [toWorstRegion(worst)], toTask(options));
+  }
+
+  async path(point: SurfacePointsInput, options?: TaskOptions): Promise<SurfacePath> {
+    return this.#askOf('pathToSite', toPoint('point', point), toTask(options));
+  }
+
+  async partition(options?: PartitionOptions): Promise<Partition> {
+    const { leaveOutIndifferent, leaveOutUnreachable, ...task } = toTaskOptions(options, {
+      leaveOutIndifferent: false,
+      leaveOutUnreachable: false,
+    });
+    const args = [
+      toBoolean('leaveOutIndifferent', leaveOutIndifferent),
+      toBoolean('leaveOutUnreachable', leaveOutUnreachable),
+    ];
+    return this.#ask('partition', args, task);
+  }
+
+  async dual(options?: DualOptions): Promise<PolygonMesh> {
+    const { primal, ...task } = toTaskOptions(options, { primal: false });
+    return this.#ask('dual', [toBoolean('primal', primal)], task);
+  }
+
+  async dualPaths(options?: TaskOptions): Promise<DualPaths> {
+    return this.#ask('dualPaths', [], toTask(options));
+  }
+
+  async violations(options?: TaskOptions): Promise<Violation[]> {
+    const task = toTask(options);
+    return this.#inTurn(task, () => this.#violations(task));
+  }
+
+  async #violations(task: TaskOptions): Promise<Violation[]> {
+    const { kind, labelOffset, labels, message } = await this.#object.call<ViolationArrays>(
+      'dualViolations',
+      [],
+      task,
+    );
+    return kind.map((each, i) => ({
+      kind: each,
+      labels: [...labels.subarray(labelOffset[i], labelOffset[i + 1])],
+      message: message[i],
+    }));
+  }
+
+  async remeshQuality(options?: TaskOptions): Promise<RemeshQuality> {
+    return this.#ask('dualQuality', [], toTask(options));
+  }
+
+  async repair(options?: RepairOptions): Promise<Diagram> {
+    const { maxAdded, ...task } = toTaskOptions(options, repairDefaults);
+    const most = toMaxAdded(maxAdded);
+    const shareOfSites = 0.9; // the rest is their diagram
+    const sites = await this.#inTurn(task, async () => {
+      const violations = await this.#violations({ signal: task.signal });
+      if (violations.length === 0) return undefined;
+      const finding = partOf(task, 0, shareOfSites);
+      return this.#object.call<SurfacePoints>('repairedSites', [most], finding);
+    });
+    if (sites) return this.#anew(sites, partOf(task, shareOfSites, 1));
+    task.onProgress?.(1);
+    return this;
+  }
+
+  /** The diagram of other sites on the same mesh. */
+  async #anew(sites: SurfacePoints, task: TaskOptions): Promise<EngineDiagram> {
+    const { engine, handle } = this.#object;
+    const opened = await engine.openDiagram(handle, sites, this.#form, task);
+    return new EngineDiagram(engine, this.#form, sites, opened);
+  }
+
+  dispose(): void {
+    this.#object.dispose();
+  }
+
+  [disposeSymbol](): void {
+    this.dispose();
+  }
+}
+
+/** `Violation`s as core.wasm lists them. */
+interface ViolationArrays {
+  kind: ViolationKind[];
+  labelOffset: Int32Array;
+  labels: Int32Array;
+  message: string[];
+}

@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: MIT
+//
+// A mesh as callers hold it: it checks what it is given, and leaves the work to an engine.
+
+import { isObject, show, toBoolean, toOptions, toTask, toTaskOptions } from '../base/checks.js';
+import { EngineDiagram } from './diagram.js';
+import {
+  cvtArguments,
+  type AdvancedCvt,
+  type CvtForm,
+  type CvtSettings,
+  type Engine,
+  type OpenedMesh,
+} from '../engine/engine.js';
+import { GeodesicVoronoiError, invalidArgument } from '../api/errors.js';
+import {
+  diagramDefaults,
+  isWorstFirst,
+  maxCount,
+  repairDefaults,
+  samplingDefaults,
+  tessellationDefaults,
+  toCount,
+  toCvtSettings,
+  toDensity,
+  toDetail,
+  toMaxAdded,
+  toMetric,
+  toPerComponent,
+  toPlaces,
+  toPoint,
+  toPoints,
+  toRadius,
+  toSampling,
+  toSeed,
+  type GivenDensity,
+  type GivenPoints,
+} from './arguments.js';
+import { EngineObject } from './engine_object.js';
+import { disposeSymbol } from '../base/symbols.js';
+import type {
+  BareComponents,
+  ClosestPoints,
+  Distances,
+  MeshInfo,
+  MeshPart,
+  Metric,
+  SurfacePath,
+  SurfacePoints,
+  VertexDistances,
+} from '../api/results.js';
+import { pointsFile, requireSameMesh } from '../input/points_file.js';
+import { partOf } from '../base/slices.js';
+import { extended } from '../engine/subdivision.js';
+import type { Triangles } from '../base/triangles.js';
+import type {
+  CvtOptions,
+  DistancesOptions,
+  RemeshOptions,
+  SampleOptions,
+  SurfacePointsInput,
+  TaskOptions,
+  VoronoiOptions,
+} from '../api/options.js';
+import type {
+  CvtState,
+  CvtStateWithData,
+  CvtStateWithDiagram,
+  Diagram,
+  Mesh,
+} from '../api/types.js';
+
+/** The approximate share of sampling where components without a site get one afterwards. */
+const samplingShare = 0.8;
+
+export class EngineMesh implements Mesh {
+  readonly info: MeshInfo;
+  readonly positions: Float64Array;
+  readonly indices: Int32Array;
+  readonly parents: Int32Array;
+  readonly normals: Float64Array;
+  readonly uvs: Float64Array;
+  readonly density: Float64Array;
+  readonly parts: readonly MeshPart[];
+  readonly #object: EngineObject;
+  /** The triangles before subdivision, and the ends of edges whose midpoints are the last vertices. */
+  readonly #whole: Int32Array | undefined;
+  readonly #ends: Int32Array;
+
+  constructor(
+    engine: Engine,
+    { handle, info, parts }: OpenedMesh,
+    { positions, indices, parents, whole, ends, normals, uvs, density }: Triangles,
+  ) {
+    this.#whole = whole;
+    this.#ends = ends ?? new Int32Array();
+    this.info = info;
+    this.positions = positions;
+    this.indices = indices;
+    this.parents = parents ?? new Int32Array();
+    this.normals = normals;
+    this.uvs = uvs;
+    this.density = density;
+    this.parts = parts;
+    this.#object = new EngineObject(this, 'mesh', engine, handle);
+  }
+
+  /** Vue puts no proxy, which could not read private fields, before an object with a tag. */
+  get [Symbol.toStringTag](): string {
+    return 'Mesh';
+  }
+
+  async sampleSites(
+    wanted: number | { radius: number },
+    options?: SampleOptions,
+  ): Promise<SurfacePoints> {
+    const byRadius = isObject(wanted);
+    const { seed, sampling, perComponent, density, ...task } = toTaskOptions(options, {
+      ...samplingDefaults,
+      sampling: byRadius ? 'farthest' : 'random',
+    });
+    const least = toPerComponent(perComponent);
+    const method = toSampling(sampling);
+    toSeed(seed);
+    const given = toDensity(density, this.density);
+    if (byRadius && method !== 'farthest' && method !== 'poisson')
+      throw invalidArgument(`the sampling ${show(method)} takes a number of sites, not a radius`);
+    if ((given === 'curvature' || given.length > 0) && method !== 'random')
+      throw invalidArgument(`a density is for random sites, not for the sampling ${show(method)}`);
+    const radius = byRadius && toRadius(toOptions(wanted, { radius: NaN }).radius);
+    const count = byRadius ? maxCount : toCount(wanted);
+    const ofSampling = least === 0 ? task : partOf(task, 0, samplingShare);
+    const sample = async (): Promise<SurfacePoints> => {
+      if (radius)
+        return this.#object.call('sampleSitesByRadius', [radius, method, seed], ofSampling);
+      if (isWorstFirst(method))
+        return this.#object.call('sampleSitesWorstFirst', [count, method, seed], ofSampling);
+      const weights = await this.#densityOf(given, task.signal);
+      return this.#object.call('sampleSites', [count, method, seed, weights], ofSampling);
+    };
+    const { face, bary } = await sample();
+    if (least === 0) return { face, bary };
+    const covering = partOf(task, samplingShare, 1);
+    return this.#object.call('coverComponents', [face, bary, least, count, seed], covering);
+  }
+
+  async bareComponents(sites: SurfacePointsInput, options?: TaskOptions): Promise<BareComponents> {
+    const task = toTask(options);
+    const { face, bary } = await this.#object.onSurface(toPoints('sites', sites), task);
+    return this.#object.call('bareComponents', [face, bary], task);
+  }
+
+  async curvatureDensity(options?: TaskOptions): Promise<Float64Array<ArrayBuffer>> {
+    const task = toTask(options);
+    const { values } = await this.#object.call<{ values: Float64Array<ArrayBuffer> }>(
+      'curvatureDensity',
+      [],
+      task,
+    );
+    return values;
+  }
+
+  async closestPoints(positions: ArrayLike<number>, options?: TaskOptions): Promise<ClosestPoints> {
+    const task = toTask(options);
+    return this.#object.call('closestPoints', [toPlaces('positions', positions)], task);
+  }
+
+  async readPoints(json: unknown, options?: TaskOptions): Promise<SurfacePoints> {
+    const task = toTask(options);
+    const file = pointsFile(json);
+    const given = toPoints('points', file.points);
+    const whole = this.#whole;
+    if (whole && 3 * (file.faces ?? 0) === whole.length && 'face' in given)
+      return this.#onParts(given, whole, task);
+    requireSameMesh(file, this.info);
+    const points = await this.#object.onSurface(given, task);
+    requireFaces(points, this.info.inputFaces);
+    return points;
+  }
+
+  async positionsOf(
+    points: SurfacePointsInput,
+    options?: TaskOptions,
+  ): Promise<Float64Array<ArrayBuffer>> {
+    const task = toTask(options);
+    task.signal?.throwIfAborted();
+    const { face, bary } = await this.#object.onSurface(toPoints('points', points), task);
+    return this.#placesOf({ face, bary }, this.indices);
+  }
+
+  /** Where points of some triangles are; NaN for a label without a site. */
+  #placesOf({ face, bary }: SurfacePoints, triangles: Int32Array): Float64Array<ArrayBuffer> {
+    requireFaces({ face }, triangles.length / 3);
+    const places = new Float64Array(3 * face.length).fill(NaN);
+    face.forEach((f, i) => {
+      if (f === -1) return;
+      for (let k = 0; k < 3; ++k) {
+        const at = (corner: number) =>
+          bary[3 * i + corner] * this.positions[3 * triangles[3 * f + corner] + k];
+        places[3 * i + k] = at(0) + at(1) + at(2);
+      }
+    });
+    return places;
+  }
+
+  /** Points of the triangles before subdivision, by those after it; vertices have kept their numbers. */
+  async #onParts(
+    points: SurfacePoints,
+    whole: Int32Array,
+    task: TaskOptions,
+  ): Promise<SurfacePoints> {
+    const places = this.#placesOf(points, whole);
+    const found = await this.#object.onSurface(
+      { position: places.map((x) => (Number.isNaN(x) ? 0 : x)) },
+      task,
+    );
+    points.face.forEach((face, i) => {
+      if (face !== -1) return; // a label without a site
+      found.face[i] = -1;
+      found.bary.fill(0, 3 * i, 3 * i + 3);
+    });
+    return found;
+  }
+
+  async voronoi(sites: SurfacePointsInput, options?: VoronoiOptions): Promise<Diagram> {
+    const { metric, detail, ...task } = toTaskOptions(options, diagramDefaults);
+    const form = { metric: toMetric(metric), detail: toDetail(detail) };
+    const points = await this.#object.onSurface(toPoints('sites', sites), task);
+    const { engine, handle } = this.#object;
+    const opened = await engine.openDiagram(handle, points, form, task);
+    return new EngineDiagram(engine, form, points, opened);
+  }
+
+  async distances(sites: SurfacePointsInput, options?: DistancesOptions): Promise<Distances> {
+    const { metric, ...task } = toTaskOptions(options, { metric: diagramDefaults.metric });
+    toMetric(metric);
+    const points = await this.#object.onSurface(toPoints('sites', sites), task);
+    const { face, bary } = points;
+    const args = [face, bary, metric];
+    const known = await this.#object.call<VertexDistances>('distancesAtVertices', args, task);
+    return { metric, sites: points, ...known };
+  }
+
+  async path(
+    from: SurfacePointsInput,
+    to: SurfacePointsInput,
+    options?: TaskOptions,
+  ): Promise<SurfacePath> {
+    const task = toTask(options);
+    const ends = [toPoint('from', from), toPoint('to', to)];
+    const start = await this.#object.onSurface(ends[0], task);
+    const end = await this.#object.onSurface(ends[1], task);
+    return this.#object.call('shortestPath', [start.face, start.bary, end.face, end.bary], task);
+  }
+
+  cvt(
+    sites: SurfacePointsInput,
+    options: CvtOptions & { diagrams: true },
+  ): AsyncGenerator<CvtStateWithDiagram, void, void>;
+  cvt(
+    sites: SurfacePointsInput,
+    options: CvtOptions & { data: true },
+  ): AsyncGenerator<CvtStateWithData, void, void>;
+  cvt(sites: SurfacePointsInput, options?: CvtOptions): AsyncGenerator<CvtState, void, void>;
+  cvt(sites: SurfacePointsInput, options?: CvtOptions): AsyncGenerator<CvtState, void, void> {
+    const tessellation = this.#toTessellation(sites, options);
+    tessellation.catch(() => {}); // whoever asks for the first state hears of it
+    return this.#iterations(tessellation);
+  }
+
+  /** Checks and copies the arguments of `cvt`, at the call. */
+  async #toTessellation(
+    sites: SurfacePointsInput,
+    options: CvtOptions | undefined,
+  ): Promise<Tessellation> {
+    const { data, diagrams, density, signal, onProgress, ...others } = toTaskOptions(options, {
+      ...tessellationDefaults,
+      data: false,
+      diagrams: false,
+    });
+    const withData = toBoolean('data', data);
+    return {
+      sites: toPoints('sites', sites),
+      ...toCvtSettings(others),
+      density: toDensity(density, this.density),
+      form: toBoolean('diagrams', diagrams) ? 'diagram' : withData ? 'data' : 'bare',
+      signal,
+      onProgress,
+    };
+  }
+
+  async *#iterations(wanted: Promise<Tessellation>): AsyncGenerator<CvtState, void, void> {
+    const { sites, form, density, signal, onProgress, ...others } = await wanted;
+    const settings = { ...others, density: await this.#densityOf(density, signal) };
+    const points = await this.#object.onSurface(sites, { signal });
+    const { engine } = this.#object;
+    const { handle } = await engine.openCvt(this.#object.handle, points, settings, { signal });
+    try {
+      for (;;) {
+        const advanced = await engine.advanceCvt(handle, form, { signal });
+        if (!advanced) break;
+        onProgress?.(Math.min(1, (advanced.iteration + 1) / (settings.iterations + 1)));
+        yield stateOf(engine, advanced, settings.metric);
+      }
+      onProgress?.(1);
+    } finally {
+      engine.close(handle);
+    }
+  }
+
+  async remesh(sites: SurfacePointsInput, options?: RemeshOptions): Promise<Diagram> {
+    const { maxAdded, density, signal, onProgress, ...others } = toTaskOptions(options, {
+      ...tessellationDefaults,
+      ...repairDefaults,
+    });
+    const task = { signal, onProgress };
+    const most = toMaxAdded(maxAdded);
+    const settings = toCvtSettings(others);
+    const [given, list] = [toDensity(density, this.density), toPoints('sites', sites)];
+    const perVertex = await this.#densityOf(given, signal);
+    const { face, bary } = await this.#object.onSurface(list, task);
+    const shareOfSites = 0.95; // the rest is the diagram
+    const remeshed = await this.#object.call<SurfacePoints>(
+      'remeshedSites',
+      [face, bary, ...cvtArguments({ ...settings, density: perVertex }), most],
+      partOf(task, 0, shareOfSites),
+    );
+    return this.voronoi(remeshed, { metric: settings.metric, ...partOf(task, shareOfSites, 1) });
+  }
+
+  /** The density per vertex. */
+  async #densityOf(given: GivenDensity, signal: AbortSignal | undefined): Promise<Float64Array> {
+    if (given === 'curvature') return this.curvatureDensity({ signal });
+    const wholeCount = this.positions.length / 3 - this.#ends.length / 2;
+    return given.length === wholeCount ? extended(given, 1, this.#ends) : given;
+  }
+
+  dispose(): void {
+    this.#object.dispose();
+  }
+
+  [disposeSymbol](): void {
+    this.dispose();
+  }
+}
+
+/** The arguments of `cvt`, checked and copied. */
+interface Tessellation extends Omit<CvtSettings, 'density'>, TaskOptions {
+  sites: GivenPoints;
+  density: GivenDensity;
+  form: CvtForm;
+}
+
+/** An iteration as callers get it. */
+function stateOf(engine: Engine, { handle, ...state }: AdvancedCvt, metric: Metric): CvtState {
+  if (handle === undefined || !state.data) return state;
+  const opened = { handle, data: state.data };
+  const diagram = new EngineDiagram(engine, { metric, detail: 0 }, state.sites, opened);
+  return { ...state, diagram };
+}
+
+/** Refuses points on triangles that there are not; -1 is a label without a site. */
+function requireFaces({ face }: { face: Int32Array }, count: number): void {
+  const wrong = face.findIndex((f) => f < -1 || f >= count);
+  if (wrong < 0) return;
+  const message = `point ${wrong}: there is no triangle ${face[wrong]}`;
+  throw new GeodesicVoronoiError('invalid-point', message);
+}
