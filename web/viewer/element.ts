@@ -269,7 +269,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
 
   /** Where the camera is, as in `camera-orbit`. */
   get cameraOrbit(): string {
-    return this.#viewer ? formatCameraOrbit(this.#viewer.stage.cameraOrbit) : '';
+    return this.#viewer ? formatCameraOrbit(this.#viewer.stage.camera.orbit) : '';
   }
 
   set cameraOrbit(orbit: string) {
@@ -418,7 +418,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     if (changed.has('tool')) viewer.tools.follow();
     if (changed.has('layers')) viewer.showLayers();
     if (changed.has('exploded')) viewer.explode();
-    if (changed.has('up')) viewer.stage.up = this.attributeValues.up;
+    if (changed.has('up')) viewer.stage.camera.up = this.attributeValues.up;
     if (changed.has('camera-orbit')) viewer.orbit(); // by the axis that points up now
     if (changed.has('metric') || changed.has('detail')) viewer.configure();
     // After a failure or a cancel, attributes go back to what is shown.

@@ -78,7 +78,7 @@ export class OpenModel {
     return Array.from({ length: places.length / 3 }, (_, i) => {
       const place = new Vector3().fromArray(places, 3 * i);
       const client = toClient(place);
-      if (!client || this.picker.hides(place, stage.camera)) return undefined;
+      if (!client || this.picker.hides(place, stage.camera.object)) return undefined;
       return { x: client.x - left, y: client.y - top };
     });
   }

@@ -90,9 +90,9 @@ export class Viewer implements Workpiece {
     this.scrolling = new PageScrolling(canvas, () => this.attributes.touchAction, this.hint);
     this.stage = new Stage(canvas, renderer, () => {
       this.tools.follow();
-      this.#emit('camera-change', { orbit: formatCameraOrbit(this.stage.cameraOrbit) });
+      this.#emit('camera-change', { orbit: formatCameraOrbit(this.stage.camera.orbit) });
     });
-    this.stage.up = this.attributes.up;
+    this.stage.camera.up = this.attributes.up;
     this.legend = new Legend(canvas.getRootNode() as ShadowRoot);
     this.#derived = new DerivedDrawings(this, this.#emit);
     this.#original = new OriginalLayer(this, this.#emit);
@@ -198,7 +198,7 @@ export class Viewer implements Workpiece {
     if (!this.#model || !this.session.sites[index]) return undefined;
     const place = this.#model.drawing.sites.place(index);
     const client = this.stage.projection()(place);
-    return client && !this.#model.hidesSite(index, this.stage.camera) ? client : undefined;
+    return client && !this.#model.hidesSite(index, this.stage.camera.object) ? client : undefined;
   }
 
   /** The pixels of the view, `scale` times as large, without the mark of the selected site. */
@@ -230,13 +230,13 @@ export class Viewer implements Workpiece {
   }
 
   refit(): void {
-    if (this.#model) this.stage.frame(this.#model.drawing.mesh.positions);
+    if (this.#model) this.stage.camera.frame(this.#model.drawing.mesh.positions);
   }
 
   /** Moves the camera to where the attribute says, if it is set. */
   orbit(): void {
     const { cameraOrbit } = this.attributes;
-    if (cameraOrbit) this.stage.cameraOrbit = cameraOrbit;
+    if (cameraOrbit) this.stage.camera.orbit = cameraOrbit;
   }
 
   cancel(): void {

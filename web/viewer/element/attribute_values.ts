@@ -10,7 +10,7 @@ import type { Brush } from '../tools/density_paint.js';
 import { type Layer, layers } from '../drawing/model_drawing.js';
 import type { Opening, SiteSampling } from '../session/mesh_opening.js';
 import type { DiagramSettings } from '../session/shown_diagram.js';
-import type { UpAxis } from '../stage/stage.js';
+import type { UpAxis } from '../stage/stage_camera.js';
 
 /** Attributes are read anew at each access, so values are never stale. */
 export class Attributes {

@@ -116,7 +116,7 @@ export class DerivedDrawings {
   spread(): void {
     const { attributes, model, stage } = this.#place;
     model?.drawing.spread(attributes.exploded);
-    stage.reach = 1 + widestSpread * attributes.exploded;
+    stage.camera.reach = 1 + widestSpread * attributes.exploded;
     stage.invalidate();
   }
 

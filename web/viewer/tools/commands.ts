@@ -44,10 +44,10 @@ const actions: Readonly<Record<Command, (viewer: Viewer) => void>> = {
     viewer.session.cvtStatus === 'running' ? viewer.session.pauseCvt() : viewer.playCvt(),
   'next-site': ({ selection }) => selection.step(1),
   'previous-site': ({ selection }) => selection.step(-1),
-  'turn-left': ({ stage }) => stage.orbit(-turnStep, 0),
-  'turn-right': ({ stage }) => stage.orbit(turnStep, 0),
-  'turn-up': ({ stage }) => stage.orbit(0, turnStep),
-  'turn-down': ({ stage }) => stage.orbit(0, -turnStep),
+  'turn-left': ({ stage }) => stage.camera.turn(-turnStep, 0),
+  'turn-right': ({ stage }) => stage.camera.turn(turnStep, 0),
+  'turn-up': ({ stage }) => stage.camera.turn(0, turnStep),
+  'turn-down': ({ stage }) => stage.camera.turn(0, -turnStep),
   nearer: (viewer) => dolly(viewer, 1 / dollyStep),
   farther: (viewer) => dolly(viewer, dollyStep),
   'move-left': ({ selection }) => selection.nudge(-moveStep, 0),
@@ -57,8 +57,8 @@ const actions: Readonly<Record<Command, (viewer: Viewer) => void>> = {
 };
 
 function dolly({ stage, tools }: Viewer, factor: number): void {
-  tools.approachAt(stage.middle);
-  stage.dolly(factor);
+  tools.approachAt(stage.camera.middle);
+  stage.camera.dolly(factor);
 }
 
 /** What the keys do, for those who do not see the view; empty if they do nothing. */

@@ -33,7 +33,7 @@ export class SiteSelection {
     if (!model || !site || this.#viewer.sitePosition(index)) return;
     const normal = new Float32Array(3);
     model.drawing.mesh.writeNormal(site.face, site.bary, normal, 0);
-    stage.lookAgainst(new Vector3().fromArray(normal));
+    stage.camera.lookAgainst(new Vector3().fromArray(normal));
   }
 
   /** Selects a site by its identity. */

@@ -60,7 +60,7 @@ export class SurfaceTools implements GestureTarget {
    */
   pick(device: Vector2): SurfaceHit | undefined {
     const { attributes, model, stage } = this.#work;
-    return attributes.exploded > 0 ? undefined : model?.picker.pick(device, stage.camera);
+    return attributes.exploded > 0 ? undefined : model?.picker.pick(device, stage.camera.object);
   }
 
   /** Adds a site there, or a dab of density. */
@@ -110,7 +110,7 @@ export class SurfaceTools implements GestureTarget {
         .map((site) => ({ site, distance: Math.hypot(site.x - at.x, site.y - at.y) }))
         .filter(({ site, distance }) => site !== but && distance <= most)
         .sort((a, b) => a.distance - b.distance)
-        .find(({ site }) => !model.hidesSite(site.index, stage.camera));
+        .find(({ site }) => !model.hidesSite(site.index, stage.camera.object));
     const nearest = nearestSeen({ x, y }, reach);
     if (!nearest) return undefined;
     const isCrowded = nearestSeen(nearest.site, nearest.distance / reachShare, nearest.site);
@@ -181,7 +181,7 @@ export class SurfaceTools implements GestureTarget {
   /** Has the camera zoom towards the surface there, if there is any. */
   approachAt(device: Vector2): void {
     const hit = this.pick(device);
-    if (hit) this.#work.stage.approach(hit.place);
+    if (hit) this.#work.stage.camera.approach(hit.place);
   }
 
   /** To be called when the camera has moved: another point is under the pointer. */
