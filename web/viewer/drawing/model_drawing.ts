@@ -16,13 +16,12 @@ import type { DiagramSummary } from '../buffers/diagram_summary.js';
 import type { DistanceScale } from './distance_scale.js';
 import { DistanceSurface } from './distance_surface.js';
 import type { DistanceTriangles } from '../buffers/distance_triangles.js';
-import { ExplodedParts } from './exploded_parts.js';
+import { ExplodedView } from './exploded_view.js';
 import { chainEnds, FatLines, pointPlaces, wireframe } from './lines.js';
 import type { OriginalMaterial } from './original_material.js';
 import { RegionColours, toneColour } from '../buffers/region_colours.js';
 import { RegionSurface, type TonedDiagram } from './region_surface.js';
 import { OutlineDrawing } from './outline_drawing.js';
-import type { PartTriangles } from '../buffers/part_triangles.js';
 import { occlusionTexture } from './occlusion.js';
 import type { SceneMesh } from '../buffers/scene_mesh.js';
 import { SiteDrawing } from './site_drawing.js';
@@ -64,6 +63,7 @@ export class ModelDrawing {
   readonly object = new Group();
   readonly sites: SiteDrawing;
   readonly outline: OutlineDrawing;
+  readonly exploded: ExplodedView;
   readonly #mesh: SceneMesh;
   readonly #surface: RegionSurface;
   readonly #colours: RegionColours;
@@ -76,8 +76,6 @@ export class ModelDrawing {
   readonly #voronoiPoints: VoronoiPointMarkers;
   /** The surface and everything that lies on it. */
   readonly #whole = new Group();
-  #parts: ExplodedParts | undefined;
-  #coming: ExplodedParts | undefined;
   #distances: DistanceSurface | undefined;
   #original: OriginalMaterial | undefined;
   #wireframe: LineSegments<BufferGeometry, LineBasicMaterial> | undefined;
@@ -94,8 +92,9 @@ export class ModelDrawing {
     this.sites = new SiteDrawing(mesh);
     this.outline = new OutlineDrawing(mesh);
     this.#voronoiPoints = new VoronoiPointMarkers(mesh, { least: 1.5, most: 4.5, rim: 0.3 });
+    this.exploded = new ExplodedView(this.#whole, this.#occlusion);
     this.theme = this.#theme;
-    this.object.add(this.#whole);
+    this.object.add(this.#whole, this.exploded.object);
     this.#whole.add(
       this.#surface.object,
       this.#bisectors.object,
@@ -127,7 +126,7 @@ export class ModelDrawing {
     this.sites.theme = theme;
     this.#voronoiPoints.markers.theme = theme;
     this.#wireframe?.material.color.set(theme.ink);
-    if (this.#parts) this.#parts.shade = theme.surfaceShade;
+    this.exploded.shade = theme.surfaceShade;
   }
 
   get mesh(): SceneMesh {
@@ -235,35 +234,6 @@ export class ModelDrawing {
     return this.#tones;
   }
 
-  /** Makes parts to be uploaded before they are shown; drops earlier ones that were never shown. */
-  prepareParts(triangles: PartTriangles): ExplodedParts {
-    this.#discard(this.#coming);
-    this.#coming = new ExplodedParts(triangles, this.#occlusion);
-    this.#coming.shade = this.#theme.surfaceShade;
-    this.object.add(this.#coming.object);
-    return this.#coming;
-  }
-
-  /** Shows prepared parts instead of the surface and what lies on it; undefined for none. */
-  setParts(parts: ExplodedParts | undefined): void {
-    if (this.#coming !== parts) this.#discard(this.#coming);
-    this.#coming = undefined;
-    this.#discard(this.#parts);
-    this.#parts = parts;
-    this.#parts?.show();
-    this.#whole.visible = !this.#parts;
-  }
-
-  #discard(parts: ExplodedParts | undefined): void {
-    if (parts) this.object.remove(parts.object);
-    parts?.dispose();
-  }
-
-  /** How far the parts of the exploded view have moved, 0 … 1. */
-  spread(share: number): void {
-    this.#parts?.spread(share);
-  }
-
   /** The colour of a region, as CSS has it. */
   regionColour(label: number): string | undefined {
     if (label < 0 || label >= this.#tones.length) return undefined;
@@ -304,8 +274,7 @@ export class ModelDrawing {
     this.#dual.dispose();
     this.#brush.dispose();
     this.#path.dispose();
-    this.#parts?.dispose();
-    this.#coming?.dispose();
+    this.exploded.dispose();
     this.#distances?.dispose();
     this.setOriginal(undefined);
     this.#occlusion.dispose();

@@ -115,7 +115,7 @@ export class DerivedDrawings {
   /** Moves the regions of the exploded view as far as the attributes ask for. */
   spread(): void {
     const { attributes, model, stage } = this.#place;
-    model?.drawing.spread(attributes.exploded);
+    model?.drawing.exploded.spread(attributes.exploded);
     stage.camera.reach = 1 + widestSpread * attributes.exploded;
     stage.invalidate();
   }
@@ -127,7 +127,7 @@ export class DerivedDrawings {
     const triangles = await model?.builder.parts(partition, model.drawing.tones);
     signal.throwIfAborted();
     if (!model || !triangles) return undefined;
-    const parts = model.drawing.prepareParts(triangles);
+    const parts = model.drawing.exploded.prepare(triangles);
     for (let isFirst = true; parts.uploadMore(); isFirst = false) {
       if (isFirst) await stage.compile(parts.object);
       stage.invalidate();
@@ -138,7 +138,7 @@ export class DerivedDrawings {
   }
 
   #showParts(shown: Parts | undefined): void {
-    this.#place.model?.drawing.setParts(shown?.parts);
+    this.#place.model?.drawing.exploded.show(shown?.parts);
     this.spread();
     const detail = shown && { regions: shown.regions, triangles: shown.parts.triangleCount };
     this.#emit('exploded', detail ?? null);
