@@ -89,6 +89,22 @@ test('a worker that may not be started is told of as one that cannot be loaded',
   );
 });
 
+test('a worker whose script cannot be loaded is told of by its address', async (t) => {
+  t.after(() => delete globalThis.Worker);
+  globalThis.Worker = class {
+    constructor() {
+      setTimeout(() => this.onerror({ message: '' }));
+    }
+    postMessage() {}
+    terminate() {}
+  };
+  const sources = { wasm: coreBytes, gltfWasm: coreBytes, dracoWasm: coreBytes };
+  await assert.rejects(
+    loadWorker({ ...sources, worker: '/app/worker.js' }),
+    failsToLoad(/^the worker "\/app\/worker\.js" has stopped: its script cannot be loaded$/),
+  );
+});
+
 test('a module with imports that are not ours is refused by the name of the import', async () => {
   // (module (import "env" "spy" (func)))
   const stranger = [

@@ -40,7 +40,7 @@ function fakeWorker(loadEngine) {
 async function loadThroughChannel(t) {
   let engine;
   const { worker, sent } = fakeWorker(async (from) => (engine = await LocalEngine.load(from)));
-  const library = new Library(await startWorkerEngine(worker, sources()));
+  const library = new Library(await startWorkerEngine(worker, sources(), 'the worker'));
   t.after(() => library.dispose());
   return { library, worker, sent, engine: () => engine };
 }
@@ -193,7 +193,7 @@ test('the worker forwards any function of the engine, of which it knows none', a
     return { twice: 2 * x, both: [rows.subarray(0, 1), rows.subarray(1)] };
   };
   const { worker } = fakeWorker(async () => engine);
-  const remote = await startWorkerEngine(worker, sources());
+  const remote = await startWorkerEngine(worker, sources(), 'the worker');
   t.after(() => remote.dispose());
   const shares = [];
   const { twice, both } = await remote.twice(21, { onProgress: (share) => shares.push(share) });
@@ -248,12 +248,16 @@ test('disposing frees on the far side, and ends what waits', async (t) => {
 
 test('a worker that does not load, or stops, says so', async (t) => {
   const silent = { onmessage: null, onerror: null, postMessage() {}, terminate() {} };
-  const starting = startWorkerEngine(silent, sources());
+  const starting = startWorkerEngine(silent, sources(), 'the worker');
   silent.onerror({ message: '' });
   await assert.rejects(starting, fails('load-failed', /script/));
 
   const { worker } = fakeWorker((from) => LocalEngine.load(from));
-  const broken = startWorkerEngine(worker, { ...sources(), wasm: new Uint8Array(10) });
+  const broken = startWorkerEngine(
+    worker,
+    { ...sources(), wasm: new Uint8Array(10) },
+    'the worker',
+  );
   await assert.rejects(broken, fails('load-failed', /magic/));
 
   const { library, worker: running } = await loadThroughChannel(t);

@@ -140,11 +140,16 @@ export async function loadWorker(options?: LoadWorkerOptions): Promise<GeodesicV
     dracoWasm: await toPost('dracoWasm', dracoWasm),
   };
   // The worker starts last: none is left behind by a source that cannot be posted.
-  return new Library(await startWorkerEngine(startWorker(given), sources));
+  return new Library(await startWorkerEngine(startWorker(given), sources, nameOf(given)));
 }
 
 function isWorker(worker: unknown): worker is PageWorker {
   return isObject(worker) && 'postMessage' in worker && 'terminate' in worker;
+}
+
+/** What errors call a worker: by its address, unless the caller has started it. */
+function nameOf(worker: LoadWorkerOptions['worker']): string {
+  return isWorker(worker) ? 'the worker' : `the worker ${show(String(worker ?? 'worker.js'))}`;
 }
 
 function requireWorker(worker: LoadWorkerOptions['worker']): void {
@@ -170,7 +175,7 @@ function startWorker(worker: LoadWorkerOptions['worker']): Worker {
   } catch (cause) {
     throw new GeodesicVoronoiError(
       'load-failed',
-      `the worker ${show(String(worker ?? 'worker.js'))} cannot be started: ${(cause as Error).message}`,
+      `${nameOf(worker)} cannot be started: ${(cause as Error).message}`,
       { cause },
     );
   }

@@ -14,12 +14,13 @@ export interface WorkerPort extends Port {
   terminate(): void;
 }
 
-/** Loads the library in a worker; disposing the engine ends that. */
+/** Loads the library in a worker, which errors call by this name; disposing the engine ends that. */
 export async function startWorkerEngine(
   worker: WorkerPort,
   sources: EngineSources,
+  name: string,
 ): Promise<Engine> {
-  const connection = new Connection(worker);
+  const connection = new Connection(worker, name);
   try {
     return engineOver(connection, await connection.load(sources));
   } catch (error) {
@@ -57,13 +58,13 @@ class Connection {
   #lastId = 0;
   #closed: GeodesicVoronoiError | undefined;
 
-  constructor(worker: WorkerPort) {
+  constructor(worker: WorkerPort, name: string) {
     this.#worker = worker;
     worker.onmessage = ({ data }: { data: Reply }) => this.#receive(data);
     worker.onerror = ({ message }) => {
       this.close(
         this.#isLoaded ? 'internal' : 'load-failed',
-        `the worker has stopped: ${message || 'its script cannot be loaded'}`,
+        `${name} has stopped: ${message || 'its script cannot be loaded'}`,
       );
     };
   }
