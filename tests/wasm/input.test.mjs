@@ -553,7 +553,7 @@ test('a broken OBJ, OFF, PLY or STL says in which line or at which byte', async 
   const stl = meshBinaryStl(octahedron());
   await assert.rejects(
     gvd.mesh({ 'a.stl': stl.subarray(0, 300) }),
-    fails('invalid-file', /its 8 triangles need 484 bytes, but it has 300/),
+    fails('invalid-file', /for 8 triangles it needs 484 bytes, but it has 300/),
   );
 });
 

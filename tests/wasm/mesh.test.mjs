@@ -500,7 +500,7 @@ test('a density that the mesh came with, of arrays, a glTF or a PLY', async () =
   );
   await assert.rejects(
     gvd.mesh({ ...shape, density: [1] }),
-    fails('invalid-argument', /density has 1 numbers, not 9/),
+    fails('invalid-argument', /density has 1 number, not 9/),
   );
 });
 

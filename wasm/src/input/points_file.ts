@@ -6,6 +6,7 @@ import { isObject } from '../base/checks.js';
 import { GeodesicVoronoiError, invalidArgument } from '../api/errors.js';
 import type { MeshInfo } from '../api/results.js';
 import type { SurfacePointsInput } from '../api/options.js';
+import { counted, integer } from '../base/sentences.js';
 
 /** The content of a file of points. */
 export interface PointsFile {
@@ -35,7 +36,7 @@ export function requireSameMesh({ faces }: PointsFile, { inputFaces }: MeshInfo)
   if (faces === undefined || faces === inputFaces) return;
   throw new GeodesicVoronoiError(
     'invalid-point',
-    `the points belong to another mesh: to one with ${faces} triangles, not ${inputFaces}`,
+    `the points belong to another mesh: to one with ${counted(faces, 'triangle')}, not ${integer(inputFaces)}`,
   );
 }
 

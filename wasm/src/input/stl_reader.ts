@@ -11,6 +11,7 @@ import { GrowingArray } from '../base/growing_array.js';
 import { requireTriangles, requireVertices, type SizeLimits } from './limits.js';
 import { stlBytes, stlTriangleCount } from './stl_layout.js';
 import { TextWords } from './text_words.js';
+import { counted, integer } from '../base/sentences.js';
 
 /** Triangles or lines read between two places where the work can be interrupted. */
 const perStep = 64;
@@ -20,7 +21,7 @@ export function* readBinaryStl(bytes: Uint8Array, limits: SizeLimits): SlicedWor
   if (count === 0) throw invalidFile('the STL has no triangles');
   if (bytes.length < stlBytes(count)) {
     throw invalidFile(
-      `the STL is truncated: its ${count} triangles need ${stlBytes(count)} bytes, but it has ${bytes.length}`,
+      `the STL is truncated: for ${counted(count, 'triangle')} it needs ${integer(stlBytes(count))} bytes, but it has ${integer(bytes.length)}`,
     );
   }
   requireTriangles(count, limits);

@@ -30,6 +30,7 @@ import type {
   ModelFiles,
   SurfacePointsInput,
 } from '../api/options.js';
+import { counted, integer } from '../base/sentences.js';
 
 /** Each level about doubles the segments: ten levels make a thousand of one. */
 export const maxDetail = 10;
@@ -92,7 +93,7 @@ function toTriangles(source: MeshArrays): Triangles {
     requireNoOtherIndices(source);
     if (positions.length % 9 !== 0)
       throw invalidArgument(
-        `positions has ${positions.length} numbers: without indices, every triangle needs nine`,
+        `positions has ${counted(positions.length, 'number')}: without indices, every triangle needs nine`,
       );
   }
   return {
@@ -221,7 +222,7 @@ function toIndices(name: string, indices: number | ArrayLike<number>): Int32Arra
 export function toPlaces(name: string, positions: ArrayLike<number>): Float64Array {
   const numbers = toFloat64(name, positions);
   if (numbers.length % 3 !== 0)
-    throw invalidArgument(`${name} has ${numbers.length} numbers, not three per place`);
+    throw invalidArgument(`${name} has ${counted(numbers.length, 'number')}, not three per place`);
   const wrong = numbers.findIndex((x) => !Number.isFinite(x));
   if (wrong < 0) return numbers;
   throw invalidArgument(`${name}[${wrong}] is ${numbers[wrong]}, not a finite number`);
@@ -231,7 +232,9 @@ export function toPlaces(name: string, positions: ArrayLike<number>): Float64Arr
 function toAttribute(name: string, values: ArrayLike<number> = [], expected: number): Float64Array {
   const numbers = toFloat64(name, values);
   if (numbers.length === 0 || numbers.length === expected) return numbers;
-  throw invalidArgument(`${name} has ${numbers.length} numbers, not ${expected}`);
+  throw invalidArgument(
+    `${name} has ${counted(numbers.length, 'number')}, not ${integer(expected)}`,
+  );
 }
 
 export function toMetric(metric: Metric): Metric {

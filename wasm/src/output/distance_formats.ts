@@ -24,6 +24,7 @@ import {
 import { GlbBuilder } from './glb.js';
 import { ply } from './ply.js';
 import type { Distances, SurfacePath, VertexDistances } from '../api/results.js';
+import { counted, integer } from '../base/sentences.js';
 
 /** The JSON form of distances: one entry per input vertex, two in `direction`. */
 export interface DistancesJson extends LengthsJson {
@@ -134,7 +135,7 @@ function withMesh(
   const count = toAttributeSource(mesh).positions.length / 3;
   if (label.length === count) return { mesh, scale };
   throw invalidArgument(
-    `mesh has ${count} vertices: it is not the one of the distances, which are of ${label.length}`,
+    `mesh has ${counted(count, 'vertex', 'vertices')}: it is not the one of the distances, which are of ${integer(label.length)}`,
   );
 }
 

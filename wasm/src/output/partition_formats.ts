@@ -24,6 +24,7 @@ import { emptyGlb, GlbBuilder } from './glb.js';
 import { ply } from './ply.js';
 import type { Partition, SurfacePoints } from '../api/results.js';
 import { stl } from './stl.js';
+import { counted } from '../base/sentences.js';
 
 export interface PartitionColourOptions extends SurfaceFileOptions {
   /** Linear RGB, 0 … 1, per region; by default hues, far apart for the first few regions. */
@@ -83,7 +84,7 @@ export function partitionJson(partition: Partition, options: PartitionJsonOption
   toResult('sites', sites, 'face', 'bary');
   if (sites.face.length !== regions.area.length)
     throw invalidArgument(
-      `sites has ${sites.face.length} points: they are not those of the partition, which has ${regions.area.length} regions`,
+      `sites has ${counted(sites.face.length, 'point')}: they are not those of the partition, which has ${counted(regions.area.length, 'region')}`,
     );
   const { neighbours, nearCentroid, triangleOffset } = regions;
   return {

@@ -3,6 +3,8 @@
 // A small drawing of the energy by iteration. Its axis is logarithmic: with a painted density,
 // energies begin far above their end, where the important differences are small.
 
+import { counted } from '../base/numbers.js';
+
 const svg = 'http://www.w3.org/2000/svg';
 
 /** In units of the drawing, which is as wide as the panel. */
@@ -81,7 +83,7 @@ function descriptionOf(energies: readonly number[]): string {
   if (energies.length === 0) return 'Energy by iteration: none yet';
   const from = energies[0].toFixed(3);
   const to = energies[energies.length - 1].toFixed(3);
-  return `Energy after ${energies.length - 1} iterations, as a multiple of that of hexagons: from ${from} to ${to}`;
+  return `Energy after ${counted(energies.length - 1, 'iteration')}, as a multiple of that of hexagons: from ${from} to ${to}`;
 }
 
 function line(className: string, x1: number, y1: number, x2: number, y2: number): SVGElement {
