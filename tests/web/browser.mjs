@@ -8,7 +8,7 @@ import { createServer } from 'node:http';
 import { basename, extname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
-import { coarseBunny } from '../../web/page/samples.mjs';
+import { coarseBunny } from '../../web/page/samples/samples.mjs';
 
 /** Where files come from, by the beginning of their path. */
 const folders = {
