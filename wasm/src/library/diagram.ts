@@ -67,7 +67,7 @@ export class EngineDiagram implements Diagram {
     this.#form = form;
     this.#sites = sites;
     this.#data = data;
-    this.#object = new EngineObject(this, 'diagram', engine, handle);
+    this.#object = new EngineObject('diagram', engine, handle);
   }
 
   get metric(): Metric {
@@ -276,8 +276,10 @@ export class EngineDiagram implements Diagram {
 
   /** The diagram of other sites on the same mesh. */
   async #anew(sites: SurfacePoints, task: TaskOptions): Promise<EngineDiagram> {
-    const { engine, handle } = this.#object;
-    const opened = await engine.openDiagram(handle, sites, this.#form, task);
+    const { engine } = this.#object;
+    const opened = await this.#object.ask((handle) =>
+      engine.openDiagram(handle, sites, this.#form, task),
+    );
     return new EngineDiagram(engine, this.#form, sites, opened);
   }
 

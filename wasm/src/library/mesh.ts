@@ -102,7 +102,7 @@ export class EngineMesh implements Mesh {
     this.uvs = uvs;
     this.density = density;
     this.parts = parts;
-    this.#object = new EngineObject(this, 'mesh', engine, handle);
+    this.#object = new EngineObject('mesh', engine, handle);
   }
 
   /** Vue puts no proxy, which could not read private fields, before an object with a tag. */
@@ -226,8 +226,10 @@ export class EngineMesh implements Mesh {
     const { metric, detail, ...task } = toTaskOptions(options, diagramDefaults);
     const form = { metric: toMetric(metric), detail: toDetail(detail) };
     const points = await this.#object.onSurface(toPoints('sites', sites), task);
-    const { engine, handle } = this.#object;
-    const opened = await engine.openDiagram(handle, points, form, task);
+    const { engine } = this.#object;
+    const opened = await this.#object.ask((handle) =>
+      engine.openDiagram(handle, points, form, task),
+    );
     return new EngineDiagram(engine, form, points, opened);
   }
 
@@ -294,17 +296,20 @@ export class EngineMesh implements Mesh {
     const settings = { ...others, density: await this.#densityOf(density, signal) };
     const points = await this.#object.onSurface(sites, { signal });
     const { engine } = this.#object;
-    const { handle } = await engine.openCvt(this.#object.handle, points, settings, { signal });
+    const { handle } = await this.#object.ask((mesh) =>
+      engine.openCvt(mesh, points, settings, { signal }),
+    );
+    const tessellation = new EngineObject('tessellation', engine, handle);
     try {
       for (;;) {
-        const advanced = await engine.advanceCvt(handle, form, { signal });
+        const advanced = await tessellation.ask((cvt) => engine.advanceCvt(cvt, form, { signal }));
         if (!advanced) break;
         onProgress?.(Math.min(1, (advanced.iteration + 1) / (settings.iterations + 1)));
         yield stateOf(engine, advanced, settings.metric);
       }
       onProgress?.(1);
     } finally {
-      engine.close(handle);
+      tessellation.dispose();
     }
   }
 

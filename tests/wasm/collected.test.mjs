@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+//
+// What the garbage collector may free, and what not.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { setTimeout as pause } from 'node:timers/promises';
+import { setFlagsFromString } from 'node:v8';
+import { runInNewContext } from 'node:vm';
+import { load } from 'geodesic-voronoi';
+import { grid } from './meshes.mjs';
+
+setFlagsFromString('--expose-gc');
+const collect = runInNewContext('gc');
+
+let gvd;
+before(async () => {
+  gvd = await load();
+});
+after(() => gvd.dispose());
+
+test('a mesh or a diagram that nobody refers to any more stays until its call is done', async (t) => {
+  const collecting = setInterval(collect, 1);
+  t.after(() => clearInterval(collecting));
+  const mesh = await gvd.mesh(grid(60));
+  const sites = await mesh.sampleSites(40);
+  const places = Float64Array.from({ length: 90_000 }, (_, i) => (i % 97) / 97);
+  const lengths = [];
+  for (let i = 0; i < 3; ++i) {
+    const closest = await (await gvd.mesh(grid(60))).closestPoints(places);
+    const parts = await (await mesh.voronoi(sites)).partition();
+    lengths.push(closest.face.length, parts.regions.area.length);
+  }
+  assert.deepEqual(lengths, [30_000, 40, 30_000, 40, 30_000, 40]);
+});
+
+test('a tessellation that is left without a word is freed', async () => {
+  const mesh = await gvd.mesh(grid(40));
+  const sites = await mesh.sampleSites(40);
+  const begin = async (count) => {
+    for (let i = 0; i < count; ++i) {
+      await mesh.cvt(sites).next();
+      if (i % 5 > 0) continue;
+      collect();
+      await pause(1); // the time to free what was collected
+    }
+    return process.memoryUsage().external;
+  };
+  const before = await begin(30);
+  const added = (await begin(90)) - before;
+  assert.ok(added < 5e6, `${added} bytes more`);
+});
