@@ -238,6 +238,24 @@ test('edges are halved until none is long, with what belongs to vertices and tri
   assert.equal(diagram.data.faceLabel.length, info.inputFaces);
 });
 
+test('a point before subdivision stays on its triangle where surfaces touch', async () => {
+  const { positions, indices } = apart(grid(2), grid(3));
+  const touching = { positions: positions.map((x) => (x < 5 ? x : x - 5)), indices };
+  const whole = await gvd.mesh(touching);
+  const mesh = await gvd.mesh(touching, { maxEdge: 0.1 });
+  assert.deepEqual([whole.info.components, mesh.info.components], [2, 2]);
+  const face = Int32Array.from({ length: whole.info.inputFaces + 1 }, (_, f) => f - 1);
+  const bary = Float64Array.from([...face].flatMap((f) => (f < 0 ? [0, 0, 0] : [0.7, 0.2, 0.1])));
+  const sites = { face, bary };
+  const read = await mesh.readPoints({ mesh: { faces: whole.info.inputFaces }, sites });
+  assert.deepEqual(
+    Array.from(read.face, (f) => (f < 0 ? f : mesh.parents[f])),
+    [...face],
+  );
+  const [before, now] = [await whole.positionsOf(sites), await mesh.positionsOf(read)];
+  before.forEach((x, i) => i < 3 || near(now[i], x));
+});
+
 test('the parts of a model are told by their triangles after subdivision', async () => {
   const bytes = glb(apart(octahedron(), grid(2)));
   const [whole, mesh] = [await gvd.mesh(bytes), await gvd.mesh(bytes, { maxEdge: 0.1 })];

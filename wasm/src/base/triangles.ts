@@ -2,6 +2,19 @@
 //
 // Meshes between the readers of files and the engine.
 
+/** How triangles were cut into parts. */
+export interface Cut {
+  /** The triangles before, and the number of their vertices. */
+  whole: Int32Array;
+  vertexCount: number;
+  /** The parts. Their vertices are those before, then the midpoints. */
+  indices: Int32Array<ArrayBuffer>;
+  /** Per part, ascending: the triangle that it is part of. */
+  parents: Int32Array<ArrayBuffer>;
+  /** Per midpoint, the two vertices that it lies between. */
+  ends: Int32Array<ArrayBuffer>;
+}
+
 /** A triangle mesh as it is handed on: read from a file or given by the caller, not yet checked. */
 export interface Triangles {
   positions: Float64Array;
@@ -10,12 +23,7 @@ export interface Triangles {
   normals: Float64Array;
   uvs: Float64Array;
   density: Float64Array;
-  /** After a subdivision: per triangle the one that it is part of. */
-  parents?: Int32Array;
-  /** The `indices` before the subdivision. */
-  whole?: Int32Array;
-  /** The ends of the edges whose midpoints are the last vertices: two vertices per midpoint. */
-  ends?: Int32Array;
+  cut?: Cut;
 }
 
 /** A model of a format without normals, texture coordinates and parts; its density is optional. */

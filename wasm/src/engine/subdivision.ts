@@ -4,30 +4,23 @@
 
 import type { MeshPart } from '../api/results.js';
 import { counted, integer } from '../base/sentences.js';
-import type { Triangles } from '../base/triangles.js';
+import type { Cut, Triangles } from '../base/triangles.js';
 
 /** The answer of `subdivideMeshArrays` (subdivision.h). */
-export interface Subdivision {
+export interface Subdivision extends Pick<Cut, 'indices' | 'parents' | 'ends'> {
   /** The given vertices, then the midpoints. */
   positions: Float64Array<ArrayBuffer>;
-  indices: Int32Array<ArrayBuffer>;
-  /** Per triangle, ascending: the given triangle that it is part of. */
-  parents: Int32Array<ArrayBuffer>;
-  /** Per midpoint, the two vertices that it lies between. */
-  ends: Int32Array<ArrayBuffer>;
 }
 
 /** The parts of triangles; attributes of midpoints are the means of those at their ends. */
 export function subdividedTriangles(
-  { indices: whole, normals, uvs, density }: Triangles,
+  { positions: { length }, indices: whole, normals, uvs, density }: Triangles,
   { positions, indices, parents, ends }: Subdivision,
 ): Triangles {
   return {
     positions,
     indices,
-    parents,
-    whole,
-    ends,
+    cut: { indices, parents, ends, whole, vertexCount: length / 3 },
     normals: unitVectors(extended(normals, 3, ends), normals.length),
     uvs: extended(uvs, 2, ends),
     density: extended(density, 1, ends),
@@ -36,20 +29,23 @@ export function subdividedTriangles(
 
 /** Runs of triangles, by the numbers of their parts. */
 export function subdividedParts(parts: readonly MeshPart[], { parents }: Subdivision): MeshPart[] {
-  const firstOf = (triangle: number) => {
-    let [low, high] = [0, parents.length];
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if (parents[middle] < triangle) low = middle + 1;
-      else high = middle;
-    }
-    return low;
-  };
+  const firstOf = (triangle: number) => firstPartOf(triangle, parents);
   return parts.map((part) => {
     const firstTriangle = firstOf(part.firstTriangle);
     const end = firstOf(part.firstTriangle + part.triangleCount);
     return { ...part, firstTriangle, triangleCount: end - firstTriangle };
   });
+}
+
+/** The first part of a triangle or, if it has none, of the next one that has. */
+export function firstPartOf(triangle: number, parents: Int32Array): number {
+  let [low, high] = [0, parents.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (parents[middle] < triangle) low = middle + 1;
+    else high = middle;
+  }
+  return low;
 }
 
 /** A sentence on what was subdivided. */

@@ -52,7 +52,8 @@ import type {
 import { pointsFile, requireSameMesh } from '../input/points_file.js';
 import { partOf } from '../base/slices.js';
 import { extended } from '../engine/subdivision.js';
-import type { Triangles } from '../base/triangles.js';
+import type { Cut, Triangles } from '../base/triangles.js';
+import { pointsOnParts } from './points_on_parts.js';
 import type {
   CvtOptions,
   DistancesOptions,
@@ -83,21 +84,18 @@ export class EngineMesh implements Mesh {
   readonly density: Float64Array;
   readonly parts: readonly MeshPart[];
   readonly #object: EngineObject;
-  /** The triangles before subdivision, and the ends of edges whose midpoints are the last vertices. */
-  readonly #whole: Int32Array | undefined;
-  readonly #ends: Int32Array;
+  readonly #cut: Cut | undefined;
 
   constructor(
     engine: Engine,
     { handle, info, parts }: OpenedMesh,
-    { positions, indices, parents, whole, ends, normals, uvs, density }: Triangles,
+    { positions, indices, cut, normals, uvs, density }: Triangles,
   ) {
-    this.#whole = whole;
-    this.#ends = ends ?? new Int32Array();
     this.info = info;
     this.positions = positions;
     this.indices = indices;
-    this.parents = parents ?? new Int32Array();
+    this.parents = cut?.parents ?? new Int32Array();
+    this.#cut = cut;
     this.normals = normals;
     this.uvs = uvs;
     this.density = density;
@@ -169,9 +167,11 @@ export class EngineMesh implements Mesh {
     const task = toTask(options);
     const file = pointsFile(json);
     const given = toPoints('points', file.points);
-    const whole = this.#whole;
-    if (whole && 3 * (file.faces ?? 0) === whole.length && 'face' in given)
-      return this.#onParts(given, whole, task);
+    const cut = this.#cut;
+    if (cut && 3 * (file.faces ?? 0) === cut.whole.length && 'face' in given) {
+      requireFaces(given, cut.whole.length / 3);
+      return pointsOnParts(given, cut);
+    }
     requireSameMesh(file, this.info);
     const points = await this.#object.onSurface(given, task);
     requireFaces(points, this.info.inputFaces);
@@ -185,41 +185,17 @@ export class EngineMesh implements Mesh {
     const task = toTask(options);
     task.signal?.throwIfAborted();
     const { face, bary } = await this.#object.onSurface(toPoints('points', points), task);
-    return this.#placesOf({ face, bary }, this.indices);
-  }
-
-  /** Where points of some triangles are; NaN for a label without a site. */
-  #placesOf({ face, bary }: SurfacePoints, triangles: Int32Array): Float64Array<ArrayBuffer> {
-    requireFaces({ face }, triangles.length / 3);
+    requireFaces({ face }, this.info.inputFaces);
     const places = new Float64Array(3 * face.length).fill(NaN);
     face.forEach((f, i) => {
       if (f === -1) return;
       for (let k = 0; k < 3; ++k) {
         const at = (corner: number) =>
-          bary[3 * i + corner] * this.positions[3 * triangles[3 * f + corner] + k];
+          bary[3 * i + corner] * this.positions[3 * this.indices[3 * f + corner] + k];
         places[3 * i + k] = at(0) + at(1) + at(2);
       }
     });
     return places;
-  }
-
-  /** Points of the triangles before subdivision, by those after it; vertices have kept their numbers. */
-  async #onParts(
-    points: SurfacePoints,
-    whole: Int32Array,
-    task: TaskOptions,
-  ): Promise<SurfacePoints> {
-    const places = this.#placesOf(points, whole);
-    const found = await this.#object.onSurface(
-      { position: places.map((x) => (Number.isNaN(x) ? 0 : x)) },
-      task,
-    );
-    points.face.forEach((face, i) => {
-      if (face !== -1) return; // a label without a site
-      found.face[i] = -1;
-      found.bary.fill(0, 3 * i, 3 * i + 3);
-    });
-    return found;
   }
 
   async voronoi(sites: SurfacePointsInput, options?: VoronoiOptions): Promise<Diagram> {
@@ -336,8 +312,8 @@ export class EngineMesh implements Mesh {
   /** The density per vertex. */
   async #densityOf(given: GivenDensity, signal: AbortSignal | undefined): Promise<Float64Array> {
     if (given === 'curvature') return this.curvatureDensity({ signal });
-    const wholeCount = this.positions.length / 3 - this.#ends.length / 2;
-    return given.length === wholeCount ? extended(given, 1, this.#ends) : given;
+    const cut = this.#cut;
+    return cut && given.length === cut.vertexCount ? extended(given, 1, cut.ends) : given;
   }
 
   dispose(): void {

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+//
+// Points of triangles, by the parts that these were cut into. Their places in space would not tell:
+// where surfaces touch, other triangles are there, too.
+
+import type { SurfacePoints } from '../api/results.js';
+import type { Cut } from '../base/triangles.js';
+import { firstPartOf } from '../engine/subdivision.js';
+
+type Vector = [number, number, number];
+
+/** A part of a triangle. */
+interface Part {
+  face: number;
+  /** The matrix from coordinates in the triangle to those in the part. */
+  rows: [Vector, Vector, Vector];
+}
+
+/** Each point in the part that it is the farthest inside of. Labels without a site keep face -1. */
+export function pointsOnParts(points: SurfacePoints, cut: Cut): SurfacePoints {
+  const partsOf = new Map<number, Part[]>();
+  const found = { face: points.face.slice(), bary: points.bary.slice() };
+  for (const [i, face] of points.face.entries()) {
+    const parts = partsOf.get(face) ?? partsOfTriangle(face, cut);
+    partsOf.set(face, parts);
+    const [x, y, z] = points.bary.subarray(3 * i, 3 * i + 3);
+    let deepest = -Infinity;
+    for (const part of parts) {
+      const bary = part.rows.map((row) => row[0] * x + row[1] * y + row[2] * z);
+      const depth = Math.min(...bary);
+      if (!(depth > deepest)) continue;
+      deepest = depth;
+      found.face[i] = part.face;
+      found.bary.set(bary, 3 * i);
+    }
+  }
+  return found;
+}
+
+function partsOfTriangle(face: number, { whole, vertexCount, indices, parents, ends }: Cut) {
+  const coordinates = new Map<number, Vector>([
+    [whole[3 * face], [1, 0, 0]],
+    [whole[3 * face + 1], [0, 1, 0]],
+    [whole[3 * face + 2], [0, 0, 1]],
+  ]);
+  const coordinatesOf = (vertex: number): Vector => {
+    const known = coordinates.get(vertex);
+    if (known) return known;
+    const midpoint = 2 * (vertex - vertexCount);
+    const [a, b] = [coordinatesOf(ends[midpoint]), coordinatesOf(ends[midpoint + 1])];
+    const middle: Vector = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2];
+    coordinates.set(vertex, middle);
+    return middle;
+  };
+  const parts: Part[] = [];
+  for (let t = firstPartOf(face, parents); parents[t] === face; ++t) {
+    const [a, b, c] = [0, 1, 2].map((k) => coordinatesOf(indices[3 * t + k]));
+    const area = dot(a, cross(b, c)); // of the triangle, the whole of which is 1
+    const row = (u: Vector, v: Vector) => cross(u, v).map((w) => w / area) as Vector;
+    parts.push({ face: t, rows: [row(b, c), row(c, a), row(a, b)] });
+  }
+  return parts;
+}
+
+function dot(u: Vector, v: Vector): number {
+  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+}
+
+function cross(u: Vector, v: Vector): Vector {
+  return [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+}
