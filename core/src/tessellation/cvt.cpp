@@ -8,6 +8,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -55,11 +56,58 @@ SurfacePoint offVertex(SurfacePoint p) {
   return p;
 }
 
+/// Sites, and what follows from them: distances, diagram, and the energy with its moments.
+struct State {
+  std::vector<SurfacePoint> sites;
+  std::vector<Vector2d> frames;  ///< x axis of each site's frame, in the frame of its face
+  std::vector<double> moves;     ///< length of each site's last move
+  std::shared_ptr<const DistanceField> distances;
+  Diagram diagram;
+  CvtEnergy energy;
+  VectorXd gradient;  ///< of the energy, in the frames; zero for fixed sites
+};
+
+/// Finds what follows from the sites of a state, but for the gradient, in slices.
+class Evaluation {
+ public:
+  /// All must outlive this.
+  Evaluation(const TriangleMesh& mesh, const CvtOptions& options, State& state)
+      : mesh_(mesh),
+        options_(options),
+        state_(state),
+        propagation_(propagate(mesh, state.sites, options.metric)) {}
+
+  bool step(long budget) {
+    return sequence_.run(
+        [&] { return propagation_->step(budget); },
+        [&] {
+          state_.distances = propagation_->take();
+          tracing_ = startDiagram(mesh_, *state_.distances, static_cast<int>(state_.sites.size()));
+        },
+        [&] { return tracing_->step(budget); },
+        [&] {
+          state_.diagram = tracing_->take();
+          tracing_.reset();
+          integration_ = startCvtEnergy(mesh_, *state_.distances, state_.diagram, options_.density);
+        },
+        [&] { return integration_->step(budget); }, [&] { state_.energy = integration_->take(); });
+  }
+
+ private:
+  const TriangleMesh& mesh_;
+  const CvtOptions& options_;
+  State& state_;
+  SlicedSequence sequence_;
+  std::unique_ptr<Propagation> propagation_;
+  std::unique_ptr<SlicedWork<Diagram>> tracing_;
+  std::unique_ptr<SlicedWork<CvtEnergy>> integration_;
+};
+
 }  // namespace
 
-/// Traces a diagram of trial sites, a step away from the accepted sites. If the energy has fallen
-/// enough, the trial is accepted and a new direction chosen. Otherwise the step is shortened and,
-/// after a few attempts, Lloyd's direction is taken instead.
+/// Evaluates trial sites, a step away from the accepted sites. If the energy has fallen enough, the
+/// trial is accepted and a new direction chosen. Otherwise the step is shortened and, after a few
+/// attempts, Lloyd's direction is taken instead.
 ///
 /// Every site has its own frame, transported in parallel along its moves. Gradients and steps are
 /// given in these frames, two components per site, so that those of earlier iterations can be
@@ -77,17 +125,18 @@ class Cvt::Solver {
     for (size_t l = 0; l < sites.size(); ++l)
       if (!isFixed_[l])
         trial_.sites[l] = offVertex(onMesh(mesh_, sites[l], "site " + std::to_string(l) + ": "));
-    propagation_ = propagate(mesh_, trial_.sites, options_.metric);
+    evaluation_.emplace(mesh_, options_, trial_);
   }
 
   bool step(long budget) {
     if (isDone_) return true;
-    if (!evaluate(budget)) return false;
+    if (!evaluation_->step(budget)) return false;
+    takeGradient();
     if (!accepted_.distances) {
       accept();
     } else if (isLowEnough()) {
-      if (options_.method == CvtMethod::kLbfgs && !hasNewPlaces_)
-        memory_.learn(stepLength_ * direction_, trial_.gradient - accepted_.gradient);
+      if (options_.method == CvtMethod::kLbfgs && !hasNewPlaces())
+        memory_.learn(search_.step * search_.direction, trial_.gradient - accepted_.gradient);
       ++iteration_.number;
       accept();
     } else {
@@ -104,46 +153,19 @@ class Cvt::Solver {
   const Diagram& diagram() const { return accepted_.diagram; }
 
  private:
-  /// Sites, with their diagram, energy and its gradient, which is zero for fixed sites.
-  struct State {
-    std::vector<SurfacePoint> sites;
-    std::vector<Vector2d> frames;  ///< x axis of each site's frame, in the frame of its face
-    std::vector<double> moves;     ///< length of each site's last move
-    std::shared_ptr<const DistanceField> distances;
-    Diagram diagram;
-    CvtEnergy energy;
-    VectorXd gradient;
+  /// A direction in which the energy falls, and the step along it that is tried.
+  struct LineSearch {
+    VectorXd direction;
+    double slope = 0;  ///< of the energy along the direction
+    double step = 1;   ///< in lengths of the direction
+    int attempts = 0;  ///< that did not lower the energy enough
   };
 
   int siteCount() const { return static_cast<int>(isFixed_.size()); }
   /// Whether the region of an accepted site has a mass that can be divided by.
   bool hasMass(int label) const { return std::isnormal(accepted_.energy.regions[label].mass); }
 
-  // --- One set of sites ---
-
-  bool evaluate(long budget) {
-    return evaluation_.run(
-        [&] {
-          if (!propagation_->step(budget)) return false;
-          trial_.distances = propagation_->take();
-          tracing_ = startDiagram(mesh_, *trial_.distances, siteCount());
-          return true;
-        },
-        [&] {
-          if (!tracing_->step(budget)) return false;
-          trial_.diagram = tracing_->take();
-          tracing_.reset();
-          integration_ = startCvtEnergy(mesh_, *trial_.distances, trial_.diagram, options_.density);
-          return true;
-        },
-        [&] {
-          if (!integration_->step(budget)) return false;
-          trial_.energy = integration_->take();
-          integration_.reset();
-          takeGradient();
-          return true;
-        });
-  }
+  // --- The trial ---
 
   void takeGradient() {
     trial_.gradient = VectorXd::Zero(2 * siteCount());
@@ -157,7 +179,8 @@ class Cvt::Solver {
   bool isLowEnough() const {
     constexpr double kDecrease = 1e-4, kRounding = 1e-14;
     const double before = accepted_.energy.energy;
-    return trial_.energy.energy <= before * (1 + kRounding) + kDecrease * stepLength_ * slope_;
+    return trial_.energy.energy <=
+           before * (1 + kRounding) + kDecrease * search_.step * search_.slope;
   }
 
   void accept() {
@@ -168,21 +191,17 @@ class Cvt::Solver {
     iteration_.energy = accepted_.energy.energy;
     iteration_.largestMove =
         isFirst ? 0 : *std::max_element(accepted_.moves.begin(), accepted_.moves.end());
-    if (!isFirst && !hasNewPlaces_)
+    if (!isFirst && !hasNewPlaces())
       isDone_ = fall <= options_.energyTolerance * before ||
                 iteration_.largestMove <= options_.moveTolerance;
     isDone_ |= iteration_.number >= options_.iterations;
-    if (!isDone_) beginIteration();
+    if (isDone_) return;
+    findNewPlaces();
+    if (hasNewPlaces()) memory_.clear();
+    startSearch();
   }
 
   // --- Where to ---
-
-  void beginIteration() {
-    findNewPlaces();
-    if (hasNewPlaces_) memory_.clear();
-    chooseDirection();
-    tryStep(1);
-  }
 
   /// The inverse Hessian that Lloyd's step assumes: 1 / 2m per region of mass m takes the gradient
   /// -2 ∫ ρ u to minus the mean of u.
@@ -194,46 +213,43 @@ class Cvt::Solver {
     return result;
   }
 
-  void chooseDirection() {
+  /// Takes the quasi-Newton direction, or Lloyd's, which is that of an empty memory, if the energy
+  /// does not fall along it.
+  void startSearch() {
     const VectorXd inverse = inverseDiagonal();
-    if (!memory_.empty()) {
-      direction_ = memory_.direction(accepted_.gradient, inverse);
-      limit(inverse);
-      slope_ = direction_.dot(accepted_.gradient);
-      if (slope_ < 0) return;
+    for (;;) {
+      search_ = {limited(memory_.direction(accepted_.gradient, inverse), inverse)};
+      search_.slope = search_.direction.dot(accepted_.gradient);
+      if (search_.slope < 0 || memory_.empty()) break;
       memory_.clear();
     }
-    direction_ = -accepted_.gradient.cwiseProduct(inverse);
-    slope_ = direction_.dot(accepted_.gradient);
+    tryStep(1);
   }
 
   /// No site moves farther than the radius of a disk of its region's area, or twice as far as by
   /// Lloyd's step, whichever is more: the gradient says little about the energy beyond.
-  void limit(const VectorXd& inverse) {
+  VectorXd limited(VectorXd direction, const VectorXd& inverse) const {
     for (int l = 0; l < siteCount(); ++l) {
       const double lloyd =
           accepted_.gradient.segment<2>(2 * l).cwiseProduct(inverse.segment<2>(2 * l)).norm();
       const double radius = std::sqrt(accepted_.diagram.regionArea[l] / std::numbers::pi);
-      const double most = std::max(2 * lloyd, radius), length = direction_.segment<2>(2 * l).norm();
-      if (length > most) direction_.segment<2>(2 * l) *= most / length;
+      const double most = std::max(2 * lloyd, radius), length = direction.segment<2>(2 * l).norm();
+      if (length > most) direction.segment<2>(2 * l) *= most / length;
     }
+    return direction;
   }
 
-  void tryStep(double stepLength) {
-    stepLength_ = stepLength;
-    trial_.sites.resize(siteCount());
-    trial_.frames.resize(siteCount());
+  void tryStep(double step) {
+    search_.step = step;
+    trial_.sites = accepted_.sites;
+    trial_.frames = accepted_.frames;
     trial_.moves.assign(siteCount(), 0.0);
-    for (int l = 0; l < siteCount(); ++l) {
-      trial_.sites[l] = accepted_.sites[l];
-      trial_.frames[l] = accepted_.frames[l];
-      if (newPlaces_[l].face >= 0)
+    for (int l = 0; l < siteCount(); ++l)
+      if (hasNewPlaces() && newPlaces_[l].face >= 0)
         trial_.sites[l] = newPlaces_[l];
       else if (!isFixed_[l])
-        move(l, stepLength * direction_.segment<2>(2 * l));
-    }
-    propagation_ = propagate(mesh_, trial_.sites, options_.metric);
-    evaluation_ = {};
+        move(l, step * search_.direction.segment<2>(2 * l));
+    evaluation_.emplace(mesh_, options_, trial_);
   }
 
   void move(int label, const Vector2d& step) {
@@ -252,20 +268,19 @@ class Cvt::Solver {
   void retreat() {
     constexpr int kAttempts = 3;
     constexpr double kRounding = 1e-13;  // of the energy
-    const bool isWorthwhile = -slope_ / 2 > kRounding * accepted_.energy.energy;
-    if (++attempts_ >= kAttempts || !isWorthwhile) {
+    const bool isWorthwhile = -search_.slope / 2 > kRounding * accepted_.energy.energy;
+    if (++search_.attempts >= kAttempts || !isWorthwhile) {
       if (memory_.empty() && !(isWorthwhile && holdOvershooting())) {
         isDone_ = true;
         return;
       }
       memory_.clear();
-      attempts_ = 0;
-      chooseDirection();
-      return tryStep(1);
+      return startSearch();
     }
-    const double rise = trial_.energy.energy - accepted_.energy.energy - stepLength_ * slope_;
-    const double share = rise > 0 ? -slope_ * stepLength_ / (2 * rise) : 0.5;
-    tryStep(stepLength_ * std::clamp(share, 0.1, 0.5));
+    const double expected = search_.step * search_.slope;
+    const double rise = trial_.energy.energy - accepted_.energy.energy - expected;
+    const double share = rise > 0 ? -expected / (2 * rise) : 0.5;
+    tryStep(search_.step * std::clamp(share, 0.1, 0.5));
   }
 
   /// Holds the sites that even the shortest trial has taken beyond their minimum; whether there are
@@ -275,7 +290,8 @@ class Cvt::Solver {
   bool holdOvershooting() {
     bool isAny = false;
     for (int l = 0; l < siteCount(); ++l) {
-      const double slope = trial_.gradient.segment<2>(2 * l).dot(direction_.segment<2>(2 * l));
+      const double slope =
+          trial_.gradient.segment<2>(2 * l).dot(search_.direction.segment<2>(2 * l));
       if (slope <= 0) continue;
       isFixed_[l] = true;
       isAny = true;
@@ -286,19 +302,19 @@ class Cvt::Solver {
 
   // --- Sites without region ---
 
+  bool hasNewPlaces() const { return !newPlaces_.empty(); }
+
   /// Draws new places for the sites whose regions have no mass, from the faces in proportion to
   /// their energy: a further site lowers it most where it is large.
   void findNewPlaces() {
-    newPlaces_.assign(siteCount(), SurfacePoint());
-    hasNewPlaces_ = false;
-    attempts_ = 0;
+    newPlaces_.clear();
     std::vector<double> sums;
     for (int l = 0; l < siteCount(); ++l) {
       if (isFixed_[l] || hasMass(l)) continue;
       if (sums.empty()) sums = cumulative(accepted_.energy.faceEnergy);
       if (!(sums.back() > 0)) return;
+      newPlaces_.resize(siteCount());
       newPlaces_[l] = drawPoint(random_, sums);
-      hasNewPlaces_ = true;
     }
   }
 
@@ -306,22 +322,13 @@ class Cvt::Solver {
   const CvtOptions options_;
   std::vector<char> isFixed_;  ///< by the options, for want of a site, or held
   State accepted_, trial_;
-  SlicedSequence evaluation_;  ///< of the trial: distances, diagram, integrals
-  std::unique_ptr<Propagation> propagation_;
-  std::unique_ptr<SlicedWork<Diagram>> tracing_;
-  std::unique_ptr<SlicedWork<CvtEnergy>> integration_;
+  std::optional<Evaluation> evaluation_;  ///< of the trial
+  LineSearch search_;
+  LbfgsMemory memory_;
+  std::vector<SurfacePoint> newPlaces_;  ///< by label, face -1: none; empty if there are none
+  std::mt19937_64 random_{1};
   CvtIteration iteration_;
   bool isDone_ = false;
-
-  // Of the current iteration.
-  LbfgsMemory memory_;
-  VectorXd direction_;
-  double slope_ = 0;  ///< of the energy along the direction
-  double stepLength_ = 1;
-  int attempts_ = 0;
-  std::vector<SurfacePoint> newPlaces_;  ///< face -1: none
-  bool hasNewPlaces_ = false;
-  std::mt19937_64 random_{1};
 };
 
 Cvt::Cvt(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, CvtOptions options)
