@@ -25,36 +25,40 @@
 namespace gvd {
 namespace {
 
-/// While triangles are made, a vertex of the mesh keeps its number, and point i of the diagram has
-/// the number `vertexCount() + i` unless it is at a vertex.
-class Partitioner final : public SlicedWork<Partition> {
+/// A triangle in a face, of one region.
+struct Piece {
+  std::array<int, 3> vertices;
+  int label, face;
+  double area;
+};
+
+/// Cuts the faces of a mesh into pieces, in slices. A vertex of the mesh keeps its number, and
+/// point i of the diagram has the number `vertexCount() + i` unless it is at a vertex.
+class FaceCutting {
  public:
-  Partitioner(const TriangleMesh& mesh, const Diagram& diagram, const PartitionOptions& options)
-      : mesh_(mesh), diagram_(diagram), options_(options) {
-    requireFaces(mesh, diagram);
+  FaceCutting(const TriangleMesh& mesh, const Diagram& diagram, const PartitionOptions& options)
+      : mesh_(mesh), diagram_(diagram), options_(options) {}
+
+  bool step(long& budget) {
+    const int faces = mesh_.faceCount();
+    return sequence_.run([&] { return nameVertices(budget); },
+                         [&] { return sidePoints_.step(budget); },
+                         [&] { return fillInSlices(isLeftOut_, faces, '\0', budget); },
+                         [&] {
+                           if (options_.leaveOutIndifferent)
+                             for (const int f : diagram_.indifferentFaces) isLeftOut_[f] = true;
+                           pieces_.reserve(faces + diagram_.cells.points.size());
+                         },
+                         [&] { return fillInSlices(uncut_, faces, -1, budget); },
+                         [&] { return loop_.run(faces, budget, 4, [&](int f) { cutFace(f); }); });
   }
 
-  bool advance(long budget) override {
-    return sequence_.run(
-        [&] { return nameVertices(budget); }, [&] { return sidePoints_.step(budget); },
-        [&] { return cutFaces(budget); }, [&] { return groupByLabel(budget); },
-        [&] { return numberVertices(budget); },
-        [&] { return runPart(matching_, budget, mesh_, uncut_, out_); },
-        [&] { return runPart(patches_, budget, mesh_, diagram_.siteCount, areas_, out_); });
-  }
-  double progress() const override { return sequence_.progress(); }
-  Partition result() override { return std::move(out_); }
+  /// Ascending by face.
+  std::vector<Piece> takePieces() { return std::move(pieces_); }
+  /// Per face the piece that is all of it; -1 if there is none.
+  std::vector<int> takeUncut() { return std::move(uncut_); }
 
  private:
-  /// A triangle of the partition, before triangles are sorted by label.
-  struct Piece {
-    std::array<int, 3> vertices;
-    int label, face;
-    double area;
-  };
-
-  // --- Triangles -------------------------------------------------------------------------------
-
   bool nameVertices(long& budget) {
     vertexOfPoint_.resize(diagram_.points.size());
     return loop_.run(vertexOfPoint_.size(), budget, 8, [&](int i) {
@@ -64,18 +68,6 @@ class Partitioner final : public SlicedWork<Partition> {
                               ? mesh_.tail(3 * p.face + static_cast<int>(corner))
                               : mesh_.vertexCount() + i;
     });
-  }
-
-  bool cutFaces(long& budget) {
-    const int faces = mesh_.faceCount();
-    return cutting_.run([&] { return fillInSlices(isLeftOut_, faces, '\0', budget); },
-                        [&] {
-                          if (options_.leaveOutIndifferent)
-                            for (const int f : diagram_.indifferentFaces) isLeftOut_[f] = true;
-                          pieces_.reserve(faces + diagram_.cells.points.size());
-                        },
-                        [&] { return fillInSlices(uncut_, faces, -1, budget); },
-                        [&] { return loop_.run(faces, budget, 4, [&](int f) { cutFace(f); }); });
   }
 
   void cutFace(int f) {
@@ -165,8 +157,48 @@ class Partitioner final : public SlicedWork<Partition> {
     return bary;
   }
 
-  // --- All triangles ---------------------------------------------------------------------------
+  const TriangleMesh& mesh_;
+  const Diagram& diagram_;
+  const PartitionOptions& options_;
 
+  SlicedSequence sequence_;
+  SlicedLoop loop_;
+  std::vector<int> vertexOfPoint_;
+  SidePoints sidePoints_{mesh_, diagram_, vertexOfPoint_};
+  std::vector<char> isLeftOut_;  ///< faces
+  int nextCell_ = 0;
+  std::vector<Piece> pieces_;
+  std::vector<int> uncut_;
+  // Of the current polygon.
+  std::vector<int> polygon_;
+  std::vector<Eigen::Vector2d> corners_;
+  ConvexTriangulation triangulation_;
+};
+
+/// Sorts the pieces by label, and finds vertices, twins and the facts of regions.
+class Partitioner final : public SlicedWork<Partition> {
+ public:
+  Partitioner(const TriangleMesh& mesh, const Diagram& diagram, const PartitionOptions& options)
+      : mesh_(mesh), diagram_(diagram), options_(options) {
+    requireFaces(mesh, diagram);
+  }
+
+  bool advance(long budget) override {
+    return sequence_.run(
+        [&] { return runPart(cutting_, budget, mesh_, diagram_, options_); },
+        [&] {
+          pieces_ = cutting_->takePieces();
+          uncut_ = cutting_->takeUncut();
+          cutting_.reset();
+        },
+        [&] { return groupByLabel(budget); }, [&] { return numberVertices(budget); },
+        [&] { return runPart(matching_, budget, mesh_, uncut_, out_); },
+        [&] { return runPart(patches_, budget, mesh_, diagram_.siteCount, areas_, out_); });
+  }
+  double progress() const override { return sequence_.progress(); }
+  Partition result() override { return std::move(out_); }
+
+ private:
   bool groupByLabel(long& budget) {
     const int n = static_cast<int>(pieces_.size());
     const auto partOf = [&](int i) {
@@ -236,21 +268,15 @@ class Partitioner final : public SlicedWork<Partition> {
   const PartitionOptions options_;
   Partition out_;
 
-  SlicedSequence sequence_, cutting_, grouping_, numbering_;
+  SlicedSequence sequence_, grouping_, numbering_;
   SlicedLoop loop_;
-  std::vector<int> vertexOfPoint_;
-  SidePoints sidePoints_{mesh_, diagram_, vertexOfPoint_};
+  std::optional<FaceCutting> cutting_;
   std::vector<Piece> pieces_;
-  std::vector<char> isLeftOut_;  ///< faces
-  int nextCell_ = 0;
   std::vector<int> uncut_;     ///< per face that is not cut, its piece, later its triangle; else -1
-  std::vector<double> areas_;  ///< per triangle
   Grouping byLabel_;           ///< pieces
+  std::vector<double> areas_;  ///< per triangle
   std::vector<int> number_;    ///< of a vertex in the result, -1 if it is not in use
   size_t used_ = 0;
-  std::vector<int> polygon_;
-  std::vector<Eigen::Vector2d> corners_;
-  ConvexTriangulation triangulation_;
   std::optional<TwinMatching> matching_;
   std::optional<PatchMeasuring> patches_;
 };
