@@ -89,10 +89,9 @@ bool PatchMeasuring::measure(RegionPatch& region, long& budget) {
   };
   return measuring_.run(
       [&] {
-        moment_ = sum_ = Vector3d::Zero();
-        reach_ = 0;
-        outlineSteps_ = innerVertices_ = 0;
-        nextToSee_ = nearest_ = first;
+        sums_ = {};
+        nearest_ = {first};
+        nextToSee_ = first;
       },
       [&] { return forTriangles(8, [&](int t) { addArea(t, region); }); },
       [&] {
@@ -104,34 +103,25 @@ bool PatchMeasuring::measure(RegionPatch& region, long& budget) {
       [&] {
         addUpBorders(region.neighbours);
         countTopology(region);
-        region.centroid = region.area > 0 ? Vector3d(moment_ / region.area)
-                                          : Vector3d(sum_ / region.triangleCount);
-        least_ = kInfinity;
-        nearestBary_ = Vector3d::Unit(0);
+        region.centroid = region.area > 0 ? Vector3d(sums_.moment / region.area)
+                                          : Vector3d(sums_.centres / region.triangleCount);
       },
-      [&] {
-        return forTriangles(8, [&](int t) {
-          const double distance = squaredDistanceToCentroid(t, region);
-          if (distance >= least_) return;
-          least_ = distance;
-          nearest_ = t;
-        });
-      },
+      [&] { return forTriangles(8, [&](int t) { offerFirstCorner(t, region); }); },
       [&] { return forTriangles(8, [&](int t) { offerTriangle(t, region); }); },
       [&] {
-        region.nearCentroid = {partition_.triangleFace[nearest_],
-                               cornersInFace(mesh_, partition_, nearest_) * nearestBary_};
+        region.nearCentroid = {partition_.triangleFace[nearest_.triangle],
+                               cornersInFace(mesh_, partition_, nearest_.triangle) * nearest_.bary};
       });
 }
 
 void PatchMeasuring::addArea(int t, RegionPatch& region) {
   const auto corners = cornersOf(t);
   const Vector3d centre = (corners[0] + corners[1] + corners[2]) / 3;
-  reach_ = std::max(
-      {reach_, (corners[1] - corners[0]).squaredNorm(), (corners[2] - corners[0]).squaredNorm()});
+  sums_.reach = std::max({sums_.reach, (corners[1] - corners[0]).squaredNorm(),
+                          (corners[2] - corners[0]).squaredNorm()});
   region.area += areas_[t];
-  moment_ += areas_[t] * centre;
-  sum_ += centre;
+  sums_.moment += areas_[t] * centre;
+  sums_.centres += centre;
 }
 
 void PatchMeasuring::walkOutlineFrom(int start, RegionPatch& region) {
@@ -144,7 +134,7 @@ void PatchMeasuring::walkOutlineFrom(int start, RegionPatch& region) {
 }
 
 void PatchMeasuring::addStep(int h, RegionPatch& region) {
-  ++outlineSteps_;
+  ++sums_.outlineSteps;
   // The outline passes a point once per fan of the region around it.
   region.selfTouchings += lastLabel_[tail(h)] == region.label;
   lastLabel_[tail(h)] = region.label;
@@ -162,7 +152,7 @@ void PatchMeasuring::countInnerVertices(int t) {
   for (const int v : partition_.triangles[t]) {
     if (isOnBorder_[v]) continue;
     isOnBorder_[v] = true;  // counted
-    ++innerVertices_;
+    ++sums_.innerVertices;
   }
 }
 
@@ -193,26 +183,28 @@ bool PatchMeasuring::countComponents(RegionPatch& region, long& budget) {
 /// Counts V - E + F with one vertex per fan, so there are as many vertices on outlines as steps
 /// along them.
 void PatchMeasuring::countTopology(RegionPatch& region) const {
-  const int edges = (3 * region.triangleCount + outlineSteps_) / 2;
-  region.eulerCharacteristic = innerVertices_ + outlineSteps_ - edges + region.triangleCount;
+  const int edges = (3 * region.triangleCount + sums_.outlineSteps) / 2;
+  region.eulerCharacteristic =
+      sums_.innerVertices + sums_.outlineSteps - edges + region.triangleCount;
   region.genus = genusOf(region.components, region.loops, region.eulerCharacteristic);
 }
 
-double PatchMeasuring::squaredDistanceToCentroid(int t, const RegionPatch& region) const {
-  return (partition_.positions[partition_.triangles[t][0]] - region.centroid).squaredNorm();
+/// Offers the first corner of a triangle as the point nearest to the centroid. The best of these
+/// bounds the distance, so that few whole triangles have to be looked at.
+void PatchMeasuring::offerFirstCorner(int t, const RegionPatch& region) {
+  const double distance = (cornersOf(t)[0] - region.centroid).squaredNorm();
+  if (distance < nearest_.squaredDistance) nearest_ = {t, Vector3d::Unit(0), distance};
 }
 
 void PatchMeasuring::offerTriangle(int t, const RegionPatch& region) {
-  // (a + b)² ≤ 2 (a² + b²)
-  if (squaredDistanceToCentroid(t, region) > 2 * (least_ + reach_)) return;
   const auto corners = cornersOf(t);
+  // (a + b)² ≤ 2 (a² + b²)
+  if ((corners[0] - region.centroid).squaredNorm() > 2 * (nearest_.squaredDistance + sums_.reach))
+    return;
   const Vector3d here = nearestOnTriangle(region.centroid, corners);
   const Vector3d place = here[0] * corners[0] + here[1] * corners[1] + here[2] * corners[2];
   const double distance = (place - region.centroid).squaredNorm();
-  if (distance >= least_) return;
-  least_ = distance;
-  nearest_ = t;
-  nearestBary_ = here;
+  if (distance < nearest_.squaredDistance) nearest_ = {t, here, distance};
 }
 
 int nextOnOutline(const Partition& partition, int h) {

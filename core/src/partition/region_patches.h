@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/sliced_loop.h"
+#include "gvd/geodesic.h"
 #include "gvd/partition.h"
 #include "gvd/triangle_mesh.h"
 #include "mesh/corners.h"
@@ -25,10 +26,23 @@ class PatchMeasuring {
  private:
   static constexpr int kNoLabel = -2;  // neither a region's nor `Diagram::kUnreachable`
 
+  /// Sums over a region.
+  struct Sums {
+    Eigen::Vector3d moment = Eigen::Vector3d::Zero();   ///< areas times centres of triangles
+    Eigen::Vector3d centres = Eigen::Vector3d::Zero();  ///< of its triangles
+    double reach = 0;  ///< most squared distance of a triangle's points from its first corner
+    int outlineSteps = 0, innerVertices = 0;
+  };
+  /// The point of a region that is nearest to its centroid.
+  struct Nearest {
+    int triangle = 0;
+    Eigen::Vector3d bary = Eigen::Vector3d::Unit(0);
+    double squaredDistance = kInfinity;
+  };
+
   int tail(int h) const { return tailOf(partition_.triangles, h); }
   int tip(int h) const { return tipOf(partition_.triangles, h); }
   std::array<Eigen::Vector3d, 3> cornersOf(int t) const;
-  double squaredDistanceToCentroid(int t, const RegionPatch& region) const;
   RegionPatch& patchOf(int label);
 
   bool measureAll(long& budget);
@@ -40,6 +54,7 @@ class PatchMeasuring {
   void countInnerVertices(int t);
   bool countComponents(RegionPatch& region, long& budget);
   void countTopology(RegionPatch& region) const;
+  void offerFirstCorner(int t, const RegionPatch& region);
   void offerTriangle(int t, const RegionPatch& region);
 
   const TriangleMesh& mesh_;
@@ -57,14 +72,10 @@ class PatchMeasuring {
   std::vector<int> lastLabel_;  ///< per vertex, of the last region whose outline passed it
 
   // Of the current region.
-  Eigen::Vector3d moment_, sum_;
-  double reach_ = 0;  ///< most squared distance of a triangle's points from its first corner
-  int outlineSteps_ = 0, innerVertices_ = 0;
+  Sums sums_;
+  Nearest nearest_;         ///< so far
   int nextToSee_ = 0;       ///< triangle
   std::vector<int> stack_;  ///< triangles seen whose neighbours are to be visited
-  int nearest_ = 0;
-  double least_ = 0;  ///< least squared distance to the centroid so far
-  Eigen::Vector3d nearestBary_;
 };
 
 /// The next halfedge along the outline of a region after h, which is on that outline: turns around
