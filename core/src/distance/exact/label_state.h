@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "distance/exact/window.h"
@@ -30,14 +31,29 @@ struct WaitingWindow {
   int halfedge;
 };
 
-/// The state of a label after it has spread: its distances, and the windows and sources from which
-/// it can go on. Windows that have crossed their faces are not kept: they would take several times
-/// the memory of everything else.
+/// Where a label was stopped, and can go on.
+struct Waiting {
+  std::vector<WaitingWindow> windows;  ///< in runs of one halfedge each
+  std::vector<int> sources;            ///< vertices that would become virtual sources
+
+  std::size_t size() const { return windows.size() + sources.size(); }
+  void clear() {
+    windows.clear();
+    sources.clear();
+  }
+  void append(const Waiting& more) {
+    windows.reserve(windows.size() + more.windows.size());
+    windows.insert(windows.end(), more.windows.begin(), more.windows.end());
+    sources.insert(sources.end(), more.sources.begin(), more.sources.end());
+  }
+};
+
+/// The state of a label after it has spread. Windows that have crossed their faces are not kept:
+/// they would take several times the memory of everything else.
 struct LabelState {
   std::vector<ReachedVertex> vertices;
-  std::vector<LastPiece> pieces;       ///< of each entry of `vertices`
-  std::vector<WaitingWindow> waiting;  ///< in runs of one halfedge each
-  std::vector<int> waitingSources;     ///< vertices that would become virtual sources
+  std::vector<LastPiece> pieces;  ///< of each entry of `vertices`
+  Waiting waiting;
 };
 
 }  // namespace gvd::exact

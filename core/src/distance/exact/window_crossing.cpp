@@ -96,7 +96,7 @@ WindowSweep::Portal WindowSweep::portalTo(int h) const {
     Window owned = w;
     trim(owned, portal.length, portal.limit);
     if (!(owned.begin < owned.end)) {
-      if (to_ == SpreadTo::kOwned) waiting_.push_back({w, portal.halfedge});
+      if (to_ == SpreadTo::kOwned) waiting_.windows.push_back({w, portal.halfedge});
       return false;
     }
     if (to_ == SpreadTo::kSites) w = owned;

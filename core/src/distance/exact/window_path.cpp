@@ -170,7 +170,7 @@ std::vector<SurfacePoint> pathToSite(const TriangleMesh& mesh, const SurfacePoin
     for (int i = 0; i < 3; ++i) {
       if (place.bary[cornerBefore(i)] == 0) continue;  // on the side: see the face beyond
       const int halfedge = 3 * place.face + i;
-      for (const WaitingWindow& w : label.waiting)
+      for (const WaitingWindow& w : label.waiting.windows)
         if (w.halfedge == halfedge) path.offer(w.window, halfedge, place);
     }
   });

@@ -35,7 +35,7 @@ long WindowSweep::require(int label, LabelState& state, std::span<const int> fac
     for (const WaitingWindow& w : windows) offerToCorners(w.window, h);
   });
   for (const int f : faces) offerAlongSides(f);
-  const size_t waiting = state.waiting.size() + state.waitingSources.size();
+  const size_t waiting = state.waiting.size();
   continueNeeded();
   return static_cast<long>(state.vertices.size() + faces.size() + waiting * required_.cost());
 }
@@ -43,7 +43,7 @@ long WindowSweep::require(int label, LabelState& state, std::span<const int> fac
 /// Calls `visit` with each run of windows that wait at one halfedge. A halfedge may have several.
 template <class Visit>
 void WindowSweep::visitWaiting(Visit visit) const {
-  const std::span<const WaitingWindow> waiting = state_->waiting;
+  const std::span<const WaitingWindow> waiting = state_->waiting.windows;
   for (size_t begin = 0, end; begin < waiting.size(); begin = end) {
     const int h = waiting[begin].halfedge;
     if (begin + kAhead < waiting.size()) prefetch(mesh_.face(waiting[begin + kAhead].halfedge / 3));
@@ -136,7 +136,7 @@ void WindowSweep::start(int label, const SurfacePoint& site, LabelState& state,
 void WindowSweep::require(int label, LabelState& state, std::span<const RequiredPoint> points) {
   beginToRequire(label, state);
   addPoints(points);
-  for (const WaitingWindow& w : state.waiting) offerToPoints(w.window, w.halfedge);
+  for (const WaitingWindow& w : state.waiting.windows) offerToPoints(w.window, w.halfedge);
   continueNeeded();
 }
 
@@ -214,7 +214,7 @@ bool WindowSweep::canGain(int h, const Windows& windows) {
 /// Queues the waiting windows and sources that can shorten a required distance.
 void WindowSweep::continueNeeded() {
   mostExcess_ = required_.mostExcess();
-  std::vector<WaitingWindow>& waiting = state_->waiting;
+  std::vector<WaitingWindow>& waiting = state_->waiting.windows;
   auto kept = waiting.begin();
   visitWaiting([&](int h, std::span<const WaitingWindow> windows) {
     if (!canGain(h, [&](auto visit) {
@@ -232,7 +232,7 @@ void WindowSweep::continueNeeded() {
     if (isFirst) queueBatch(h, least);
   });
   waiting.erase(kept, waiting.end());
-  std::erase_if(state_->waitingSources, [&](int v) {
+  std::erase_if(state_->waiting.sources, [&](int v) {
     if (!maySpreadFrom(v)) return false;
     queueSource(v);
     return true;
@@ -251,7 +251,7 @@ bool WindowSweep::offerAndGoOn(int h) {
     }
   if (canGain(h, [&](auto visit) { std::for_each(windows.begin(), windows.end(), visit); }))
     return true;
-  for (const Window& w : windows) waiting_.push_back({w, h});
+  for (const Window& w : windows) waiting_.windows.push_back({w, h});
   windows_.free(windows_.take(h));
   return false;
 }

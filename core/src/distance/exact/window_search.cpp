@@ -32,7 +32,8 @@ void WindowSweep::offerSites(int h, std::span<const Window> windows) {
   search_.visitSites(h / 3, [&](const FaceSite& site) {
     const Eigen::Vector2d s = layOut(face, h % 3, site.bary);
     for (const Window& w : windows)
-      if (search_.offerSite(site.label, w.distance(s.x(), s.y()))) waiting_.push_back({w, h});
+      if (search_.offerSite(site.label, w.distance(s.x(), s.y())))
+        waiting_.windows.push_back({w, h});
   });
 }
 

@@ -59,7 +59,6 @@ void WindowSweep::begin(int label, SpreadTo to, LabelState& state) {
   required_.clear();
   points_.clear();
   waiting_.clear();
-  waitingSources_.clear();
 }
 
 /// Drops what an exception has left in the working memory, as when memory runs out in a query: the
@@ -83,11 +82,9 @@ void WindowSweep::startWaiting(int label, const SurfacePoint& site, LabelState& 
 void WindowSweep::resume(int label, LabelState& state) {
   begin(label, SpreadTo::kOwned, state);
   vertices_.load(state);
-  for (const WaitingWindow& w : std::exchange(state.waiting, {})) {
-    Window window = w.window;
-    add(window, portalTo(w.halfedge));
-  }
-  for (const int v : std::exchange(state.waitingSources, {})) queueSource(v);
+  const Waiting waiting = std::exchange(state.waiting, {});
+  for (WaitingWindow w : waiting.windows) add(w.window, portalTo(w.halfedge));
+  for (const int v : waiting.sources) queueSource(v);
 }
 
 bool WindowSweep::step(long& budget) {
@@ -117,16 +114,12 @@ void WindowSweep::beginToRequire(int label, LabelState& state) {
   isUnderWay_ = true;
   required_.clear();
   waiting_.clear();
-  waitingSources_.clear();
 }
 
-/// Stores the label's distances, waiting windows and waiting sources in its state.
+/// Stores in the label's state its distances and where it waits.
 void WindowSweep::store() {
   vertices_.store(*state_);
-  state_->waiting.reserve(state_->waiting.size() + waiting_.size());
-  state_->waiting.insert(state_->waiting.end(), waiting_.begin(), waiting_.end());
-  state_->waitingSources.insert(state_->waitingSources.end(), waitingSources_.begin(),
-                                waitingSources_.end());
+  state_->waiting.append(waiting_);
   isUnderWay_ = false;
 }
 
@@ -234,7 +227,7 @@ void WindowSweep::becomeSource(int v) {
   Vertex& own = vertices_[v];
   own.isQueued = false;
   if (!maySpreadFrom(v)) {
-    waitingSources_.push_back(v);
+    waiting_.sources.push_back(v);
     return;
   }
   const auto sides = fan_.sides(v, own.piece.arrival, own.piece.crossing);

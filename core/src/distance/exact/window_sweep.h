@@ -199,8 +199,7 @@ class WindowSweep {
   // Working memory.
   LabelVertices vertices_;
   WindowLists windows_;
-  std::vector<WaitingWindow> waiting_;  ///< where the label has stopped
-  std::vector<int> waitingSources_;
+  Waiting waiting_;                 ///< where the label has stopped
   std::vector<LineToApex> toApex_;  ///< of each window of the current batch
   std::vector<Window> children_;    ///< of the current batch, through one side
   BucketQueue queue_;               ///< halfedges, and vertices v as -1 - v
