@@ -53,7 +53,6 @@ import { pointsFile, requireSameMesh } from '../input/points_file.js';
 import { partOf } from '../base/slices.js';
 import { extended } from '../engine/subdivision.js';
 import type { Cut, Triangles } from '../base/triangles.js';
-import { pointsOnParts } from './points_on_parts.js';
 import type {
   CvtOptions,
   DistancesOptions,
@@ -170,7 +169,7 @@ export class EngineMesh implements Mesh {
     const cut = this.#cut;
     if (cut && 3 * (file.faces ?? 0) === cut.whole.length && 'face' in given) {
       requireFaces(given, cut.whole.length / 3);
-      return pointsOnParts(given, cut);
+      return (await import('./points_on_parts.js')).pointsOnParts(given, cut);
     }
     requireSameMesh(file, this.info);
     const points = await this.#object.onSurface(given, task);
