@@ -13,6 +13,7 @@
 #include "distance/label_spread.h"
 #include "distance/label_turns.h"
 #include "distance/nearest_bounds.h"
+#include "distance/owner_finding.h"
 #include "distance/site_set.h"
 #include "gvd/triangle_mesh.h"
 
@@ -20,7 +21,7 @@ namespace gvd {
 
 /// The labels known at each vertex. They are found in four steps after labels have spread:
 ///
-/// 1. *Owners* (`FaceOwners`): a label owns part of a face if it is nearest at a corner, ties
+/// 1. *Owners* (`OwnerFinding`): a label owns part of a face if it is nearest at a corner, ties
 ///    included, or has its site there.
 /// 2. *Required distances* (`LabelTurns`): each owner of a face spreads on to the corners that it
 ///    does not own.
@@ -43,8 +44,8 @@ class KnownLabels {
   int reachedIndex(int vertex, int label) const { return lists_.reachedIndex(vertex, label); }
 
   void beginChange();
-  /// Notes the faces that a label owns a part of, whose owners may change without it. Call before
-  /// the spread forgets the label and before its site is removed.
+  /// Notes what may change without a label. Call before the spread forgets the label and before its
+  /// site is removed.
   void noteLeaving(int label);
   /// Begins to find the known labels, after labels have spread. `change` must outlive the work.
   void start(const LabelChange& change);
@@ -57,25 +58,17 @@ class KnownLabels {
   const std::vector<int>& changedLabels() const { return changedLabels_; }
 
  private:
-  void addFacesOfSite(int label);
-  bool markFinal(long& budget);
-  void noteTie(int vertex, int label);
-  void findAffected();
-  void dropInterpolated();
-  bool findTies(long& budget);
-  void addTies();
   void collectLists();
   bool listLabels(long& budget);
   void noteExtended();
   bool ownsPartAround(int label, int vertex) const;
-  bool areAllNew() const { return sites_.count() == static_cast<int>(change_->started.size()); }
 
   const TriangleMesh& mesh_;
-  const SiteSet& sites_;
-  NearestBounds& bounds_;
-  LabelSpread& spread_;
+  const NearestBounds& bounds_;
+  const LabelSpread& spread_;
   FaceOwners owners_;
   LabelLists lists_;
+  OwnerFinding finding_;
   LabelTurns turns_;
   LabelClosure closure_;
 
@@ -84,13 +77,8 @@ class KnownLabels {
   SlicedSequence sequence_;
   SlicedLoop loop_;
   double progress_ = 1;
-  std::vector<int> newlyFinal_;      ///< vertices where a distance has become final
-  std::vector<LabelAtVertex> ties_;  ///< labels that are as near as the owner
-  IndexSet affectedFaces_;           ///< faces whose owners may have changed
-  IndexSet changedVertices_;         ///< vertices whose lists may have changed
-  IndexSet changedFaces_;            ///< faces around `changedVertices_`
+  IndexSet changedFaces_;  ///< around changed vertices
   std::vector<int> changedLabels_;
-  std::vector<Requirement> requirements_;
   std::vector<int> listed_;  ///< the labels that may be known at the changed vertices
 };
 

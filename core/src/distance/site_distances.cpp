@@ -137,6 +137,7 @@ void SiteDistances::orderLabels() {
   });
   change_.hasStarted.assign(sites_.labelCount(), false);
   for (const int label : change_.started) change_.hasStarted[label] = true;
+  change_.startsAll = sites_.count() == static_cast<int>(change_.started.size());
   makeSet(change_.resumed);
   std::erase_if(change_.resumed,
                 [&](int label) { return !sites_.contains(label) || change_.hasStarted[label]; });

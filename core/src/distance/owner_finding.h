@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "base/index_set.h"
+#include "base/sliced_loop.h"
+#include "distance/face_owners.h"
+#include "distance/label_change.h"
+#include "distance/label_lists.h"
+#include "distance/label_spread.h"
+#include "distance/label_turns.h"
+#include "distance/nearest_bounds.h"
+#include "distance/site_set.h"
+#include "gvd/triangle_mesh.h"
+
+namespace gvd {
+
+/// Finds the owners of faces (`FaceOwners`) after labels have spread: labels that are nearest at a
+/// corner, ties included, or have their site there. After a change, only in the faces where they
+/// may differ from before.
+class OwnerFinding {
+ public:
+  /// `step` changes `bounds`: where labels tie, the lowest becomes the owner of the vertex. It
+  /// marks the distances of owners in `spread` as final, and reads in `lists` what was known
+  /// before. All arguments must outlive this.
+  OwnerFinding(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds,
+               LabelSpread& spread, const LabelLists& lists, FaceOwners& owners)
+      : mesh_(mesh),
+        sites_(sites),
+        bounds_(bounds),
+        spread_(spread),
+        lists_(lists),
+        owners_(owners),
+        affectedFaces_(mesh.faceCount()),
+        changedVertices_(mesh.vertexCount()) {}
+
+  void beginChange();
+  /// Notes the faces that a label owns a part of, whose owners may change without it. Call before
+  /// the spread forgets the label and before its site is removed.
+  void noteLeaving(int label);
+  /// Begins after labels have spread. `change` must outlive the work.
+  void start(const LabelChange& change);
+  /// Works on at most `budget` units and lowers it by their number; true when all are found.
+  bool step(long& budget);
+
+  /// The distances that have to be known because of the owners found.
+  const std::vector<Requirement>& requirements() const { return requirements_; }
+  /// The vertices where other labels may be known than before, or other distances.
+  const IndexSet& changedVertices() const { return changedVertices_; }
+
+ private:
+  void addFacesOfSite(int label);
+  bool markFinal(long& budget);
+  void noteTie(int vertex, int label);
+  void findAffected();
+  void dropInterpolated();
+  bool findTies(long& budget);
+  void addTies();
+
+  const TriangleMesh& mesh_;
+  const SiteSet& sites_;
+  NearestBounds& bounds_;
+  LabelSpread& spread_;
+  const LabelLists& lists_;
+  FaceOwners& owners_;
+
+  // The current change.
+  const LabelChange* change_ = nullptr;
+  SlicedSequence sequence_;
+  SlicedLoop loop_;
+  std::vector<int> newlyFinal_;      ///< vertices where a distance has become final
+  std::vector<LabelAtVertex> ties_;  ///< labels that are as near as the owner
+  IndexSet affectedFaces_;           ///< faces whose owners may have changed
+  IndexSet changedVertices_;
+  std::vector<Requirement> requirements_;
+};
+
+}  // namespace gvd
