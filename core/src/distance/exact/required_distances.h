@@ -29,6 +29,7 @@ class RequiredDistances {
   void clear() {
     blocks_.assign(1, Block{});
     distances_.assign(1, {});
+    mostExcess_ = 0;
   }
 
   /// How many quick rounds `canGain` takes.
@@ -55,12 +56,13 @@ class RequiredDistances {
     limit(index);
   }
   /// The largest excess over the nearest label's distance with which a path can still shorten any
-  /// required distance.
-  double mostExcess() const {
+  /// required distance, when `findMostExcess` was last called.
+  double mostExcess() const { return mostExcess_; }
+  void findMostExcess() {
     float most = 0;
     for (const Block& block : blocks_)
       for (int lane = 0; lane < kLanes; ++lane) most = std::max(most, block.excess[lane]);
-    return most / scale_;
+    mostExcess_ = most / scale_;
   }
   /// Whether paths of at least `length` to points within `radius` of `place` can become the
   /// shortest to a required place. The rest of a path is at least as long as the straight line in
@@ -122,6 +124,7 @@ class RequiredDistances {
   // Both by index; the first place is that of `kNone`.
   std::vector<Block> blocks_;
   std::vector<Distances> distances_;
+  double mostExcess_ = 0;
 };
 
 }  // namespace gvd::exact

@@ -23,9 +23,9 @@ constexpr double kLeastDepth = 0x1p-52;
 
 }  // namespace
 
-void WindowSweep::crossFace(int h) {
-  crossedWindows_ += static_cast<long>(windows_[h].size());
-  if (to_ == SpreadTo::kRequired && !offerAndGoOn(h)) return;
+long WindowSweep::crossFace(int h) {
+  const long count = static_cast<long>(windows_[h].size());
+  if (to_ == SpreadTo::kRequired && !offerAndGoOn(h)) return count;
   const TriangleMesh::Face& face = mesh_.face(h / 3);
   const int i = h % 3, j = cornerAfter(i), k = cornerBefore(i);
   const int left = face.twins[k], right = face.twins[j];
@@ -41,6 +41,7 @@ void WindowSweep::crossFace(int h) {
   if (left >= 0) crossSide<Side::kLeft>(h, windows, portal(left, face.lengths[k], tail, apex));
   if (right >= 0) crossSide<Side::kRight>(h, windows, portal(right, face.lengths[j], apex, tip));
   windows_.free(list);
+  return count;
 }
 
 void WindowSweep::offerToApex(int h, std::span<const Window> windows) {

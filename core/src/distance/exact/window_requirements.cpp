@@ -189,13 +189,14 @@ bool WindowSweep::canGain(int h, const Windows& windows) {
   const double length = face.lengths[i];
   const double nearTail = bounds_[face.vertices[i]].distance;
   const double nearTip = bounds_[face.vertices[j]].distance;
+  const double mostExcess = required_.mostExcess();
   double begin = length, end = 0, least = kInfinity, excess = kInfinity;
   windows([&](const Window& w) {
     // Lower bounds on the excess: the nearest distance rises at most by the way along the halfedge.
     const double atEnd = w.distanceOnEdge(w.end) - (nearTail + w.end);
-    if (atEnd >= mostExcess_) return;
+    if (atEnd >= mostExcess) return;
     const double atBegin = w.distanceOnEdge(w.begin) - (nearTip + length - w.begin);
-    if (atBegin >= mostExcess_) return;
+    if (atBegin >= mostExcess) return;
     excess = std::min(excess, std::max(atEnd, atBegin));
     begin = std::min(begin, w.begin);
     end = std::max(end, w.end);
@@ -213,7 +214,7 @@ bool WindowSweep::canGain(int h, const Windows& windows) {
 
 /// Queues the waiting windows and sources that can shorten a required distance.
 void WindowSweep::continueNeeded() {
-  mostExcess_ = required_.mostExcess();
+  required_.findMostExcess();
   std::vector<WaitingWindow>& waiting = state_->waiting.windows;
   auto kept = waiting.begin();
   visitWaiting([&](int h, std::span<const WaitingWindow> windows) {

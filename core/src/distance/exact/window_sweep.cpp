@@ -92,11 +92,12 @@ bool WindowSweep::step(long& budget) {
     if (budget <= 0) return false;
     if (const auto next = queue_.ahead(1)) prefetchTurn(*next);
     const int item = queue_.take();
+    long crossed = 0;
     if (item >= 0)
-      crossFace(item);
+      crossed = crossFace(item);
     else
       becomeSource(-1 - item);
-    budget -= 1 + (std::exchange(crossedWindows_, 0) + revisits_.takeCrossedBack()) / kQuickRounds;
+    budget -= 1 + (crossed + revisits_.takeCrossedBack()) / kQuickRounds;
   }
   store();
   return true;
@@ -245,7 +246,7 @@ bool WindowSweep::maySpreadFrom(int v) {
   const Vertex& own = vertices_[v];
   const double nearest = bounds_[v].distance;
   if (own.distance <= nearest + tieMargin_) return true;
-  if (to_ != SpreadTo::kRequired || own.distance - nearest >= mostExcess_) return false;
+  if (to_ != SpreadTo::kRequired || own.distance - nearest >= required_.mostExcess()) return false;
   return required_.canGain(placeOf(v), 0, own.distance, own.distance - nearest,
                            [&](auto ignore) { ignore(own.required); });
 }

@@ -117,27 +117,26 @@ class WindowSweep {
     bool isLimited;  ///< whether the label's distance exceeds the limit at an end
   };
 
+  // window_sweep.cpp: labels, the queue, and where windows begin.
   void begin(int label, SpreadTo to, LabelState& state);
   void dropLeftovers();
   void beginToRequire(int label, LabelState& state);
   void store();
-
   void startAt(const SurfacePoint& site);
   void startAtSide(const SurfacePoint& site, int i, double angle, bool isOnSide);
   void startAcross(const SurfacePoint& site, int side, double angle);
   void offer(int vertex, double distance, const LastPiece& piece);
   double directionAt(int vertex) const;
-
   void queueSource(int vertex);
   void queueBatch(int halfedge, double key);
   void prefetchTurn(int item) const;
-
   void becomeSource(int vertex);
   bool maySpreadFrom(int vertex);
   void emit(int vertex, const OppositeSide& side, double direction, bool isSite);
-  void add(Window& w, const Portal& portal);
 
-  void crossFace(int halfedge);
+  // window_crossing.cpp: windows that arrive at a halfedge and cross its face.
+  /// Returns the number of windows of the batch.
+  long crossFace(int halfedge);
   void offerToApex(int halfedge, std::span<const Window> windows);
   template <Side kSide>
   void crossSide(int halfedge, std::span<const Window> windows, const Portal& portal);
@@ -145,7 +144,9 @@ class WindowSweep {
   Portal portal(int halfedge, double length, const End& tail, const End& tip) const;
   Portal portalTo(int halfedge) const;
   bool trimAtPortal(Window& w, const Portal& portal);
+  void add(Window& w, const Portal& portal);
 
+  // window_requirements.cpp: required distances, and the windows that go on because of them.
   /// The position of a vertex relative to vertex 0: positions of a mesh far from the origin would
   /// round too coarsely.
   Eigen::Vector3d placeOf(int vertex) const { return mesh_.position(vertex) - mesh_.position(0); }
@@ -154,8 +155,6 @@ class WindowSweep {
   void addPoint(const SurfacePoint& point, int index);
   void offerToPoints(const Window& w, int halfedge);
   void offerToPointsFrom(int vertex, int corner, int face);
-  void offerSites(int halfedge, std::span<const Window> windows);
-
   bool hasRequiredCorner(int face) const;
   void offerRequired(int vertex, double distance, const LastPiece& piece);
   void offerAlongSides(int face);
@@ -166,6 +165,9 @@ class WindowSweep {
   bool canGain(int halfedge, const Windows& windows);
   void continueNeeded();
   bool offerAndGoOn(int halfedge);
+
+  // window_search.cpp: sites near a point.
+  void offerSites(int halfedge, std::span<const Window> windows);
 
   /// How far past the end of a window on a halfedge of some length a vertex may be seen
   /// (`kGrazing`).
@@ -189,11 +191,7 @@ class WindowSweep {
   LabelState* state_ = nullptr;
   SurfacePoint site_;
   RequiredDistances required_;
-  double mostExcess_ = 0;  ///< of `required_`, when the label began to go on
   PointsByFace points_;
-
-  long crossedWindows_ = 0;  ///< in the current turn of the queue
-
   SiteSearch search_;  ///< if the label is a point that searches
 
   // Working memory.
