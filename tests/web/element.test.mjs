@@ -580,7 +580,7 @@ suite('attributes and events', () => {
     assert.equal(await viewer.regionCount(), 12);
   });
 
-  test('what is no place and what is no address are refused, in a sentence', async (context) => {
+  test('what is no place, no address and no command is refused, in a sentence', async (context) => {
     const viewer = await opened(context, 'one.html');
     await viewer.settled();
     const refusals = await viewer.evaluate((viewer) => {
@@ -605,6 +605,24 @@ suite('attributes and events', () => {
       viewer.evaluate((viewer) => viewer.load('http://[')),
     );
     assert.equal(message, '“http://[” is not an address.');
+    const command = await viewer.evaluate((viewer) => {
+      try {
+        viewer.perform('turn');
+      } catch (error) {
+        return error.message;
+      }
+    });
+    assert.equal(command, 'There is no command “turn”.');
+  });
+
+  test('a file alone is opened as a list of one', async (context) => {
+    const viewer = await opened(context, 'one.html');
+    await viewer.settled();
+    const text = new TextDecoder().decode(meshObj(torus(8, 8)));
+    const { name } = await viewer.after('load', () =>
+      viewer.evaluate((viewer, text) => void viewer.loadFiles(new File([text], 'own.obj')), text),
+    );
+    assert.equal(name, 'own.obj');
   });
 
   test('a picture of no size is refused, and so is a density of other vertices', async (context) => {

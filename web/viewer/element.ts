@@ -122,11 +122,12 @@ export class GeodesicVoronoiElement extends ReflectingElement {
   }
 
   /**
-   * Opens a model from a list of files, or from files by their paths: the model, the files that it
+   * Opens a model from a file, a list of files, or files by their paths: the model, the files that it
    * refers to and any others, or a .zip of these. `file` chooses one of several (see `listModels`).
    */
-  loadFiles(files: Iterable<File> | ModelFiles, file?: string): Promise<boolean> {
-    const now = Symbol.iterator in files ? [...files] : files; // a list of a page's input is emptied
+  loadFiles(files: File | Iterable<File> | ModelFiles, file?: string): Promise<boolean> {
+    const given = files instanceof File ? [files] : files;
+    const now = Symbol.iterator in given ? [...given] : given; // a list of a page's input is emptied
     return this.#open(async () => named(Array.isArray(now) ? chosenFiles(now) : now, file));
   }
 

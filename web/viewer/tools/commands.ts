@@ -124,5 +124,6 @@ export function isOfView(command: Command): boolean {
 }
 
 export function perform(command: Command, viewer: Viewer): void {
+  if (!(command in actions)) throw new TypeError(`There is no command “${command}”.`);
   actions[command](viewer);
 }
