@@ -54,6 +54,17 @@ test('every source says what its licence is', () => {
   assert.deepEqual(silent, []);
 });
 
+test('each folder of wasm/src uses only those before it, in the order that CONTRIBUTING gives', () => {
+  const row = /^\| `wasm\/src\/` \|.*each folder uses those before it: (.*) \|$/m;
+  const order = read('.github/CONTRIBUTING.md').match(row)[1].match(/\w+/g);
+  const wrong = matching(/^wasm\/src\/\w+\/.*\.ts$/).flatMap((path) => {
+    const place = order.indexOf(path.split('/')[2]);
+    const used = Array.from(read(path).matchAll(/'\.\.\/(\w+)\//g), ([, folder]) => folder);
+    return used.filter((folder) => order.indexOf(folder) >= place).map((folder) => [path, folder]);
+  });
+  assert.deepEqual(wrong, []);
+});
+
 test('what users read in declarations points to no file of the core, which the package has not', () => {
   const sources = matching(/^(wasm\/src|web\/viewer)\/.*\.ts$/);
   assert.deepEqual(

@@ -32,7 +32,7 @@ test('every function of the modules is called by its name, and there is none but
       .filter(({ kind, name }) => kind === 'function' && !name.startsWith('_'))
       .map(({ name }) => name),
   );
-  const scripts = ['./', './input/']
+  const scripts = ['base/', 'engine/', 'input/', 'library/']
     .map((folder) => new URL(folder, dist))
     .flatMap((folder) => readdirSync(folder).map((file) => new URL(file, folder)))
     .filter(({ pathname }) => pathname.endsWith('.js'))

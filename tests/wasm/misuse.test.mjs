@@ -545,7 +545,7 @@ test('what writes files', async () => {
   await refused(
     [one],
     (value) => api.partitionJson(partition, { sites: toSites(value) }),
-    /1 points.*4 regions$/,
+    /1 point:.*4 regions$/,
   );
   const notColours = [
     null,

@@ -58,7 +58,7 @@ test('a worker and its modules are found beside the library', async () => {
 });
 
 test('elsewhere they are given: an address, a Worker; addresses, a Response or bytes', async () => {
-  assert.match(await regions('app', ''), /^load-failed: /);
+  assert.match(await regions('app', ''), /^load-failed: the worker "worker\.js" has stopped/);
   assert.match(await regions('app', `{ worker: '/lib/worker.js' }`), /^load-failed: .*404/);
   assert.equal(await regions('app', `{ worker: '/lib/worker.js', ${modules} }`), 3);
   const worker = `new Worker('/lib/worker.js', { type: 'module' })`;
