@@ -118,9 +118,9 @@ bool LabelCompletion::completeAcross(int element, int side) {
   return changed;
 }
 
-/// The distance of an element's third node from the virtual source behind a side. Unlike in the
-/// DGPC update, there has to be one: if the distances violate the triangle inequality, the source
-/// is on the line of the side.
+/// The distance of an element's third node from the virtual source behind a side. Not by
+/// `dgpc::unfold`, because here there has to be a source: if the distances violate the triangle
+/// inequality, it is on the line of the side. And an element has no cosines, only squared lengths.
 double LabelCompletion::unfold(int element, int side, double atTail, double atTip) const {
   const double squared = squaredLength(element, side, side + 1);
   const double fromTail = squaredLength(element, side, side + 2);

@@ -21,14 +21,6 @@ int hashBelow(int count, const Eigen::Vector3d& p) {
 
 }  // namespace
 
-VertexWelding::VertexWelding(std::span<const double> positions, std::span<const int> triangles,
-                             double weld)
-    : positions_(positions),
-      triangles_(triangles),
-      weld_(weld),
-      least_(Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity())),
-      most_(-least_) {}
-
 bool VertexWelding::step(long& budget) {
   const int count = static_cast<int>(positions_.size() / 3);
   return sequence_.run(
@@ -40,8 +32,9 @@ bool VertexWelding::step(long& budget) {
       [&] { return places_.visitGroups([&](std::span<int> group) { weldGroup(group); }, budget); },
       [&] {
         places_ = {};
-        return weld_ == 0 || loop_.run(triangles_.size(), budget, kQuickRounds,
-                                       [&](int i) { addToBox(triangles_[i]); });
+        return weld_ == 0 || loop_.run(triangles_.size(), budget, kQuickRounds, [&](int i) {
+          if (const Eigen::Vector3d p = position(triangles_[i]); p.allFinite()) box_.extend(p);
+        });
       },
       [&] { openGrid(); },
       [&] { return !keptVertices_ || loop_.run(count, budget, 1, [&](int v) { weldToNear(v); }); });
@@ -69,15 +62,8 @@ void VertexWelding::weldGroup(std::span<int> vertices) {
   });
 }
 
-void VertexWelding::addToBox(int v) {
-  const Eigen::Vector3d p = position(v);
-  if (!p.allFinite()) return;
-  least_ = least_.cwiseMin(p);
-  most_ = most_.cwiseMax(p);
-}
-
 void VertexWelding::openGrid() {
-  const double tolerance = weld_ * (most_ - least_).norm();
+  const double tolerance = weld_ * box_.diagonal().norm();
   constexpr double kRounding = std::numeric_limits<double>::epsilon();
   if (weld_ >= kRounding && tolerance > 0 && std::isfinite(tolerance))
     keptVertices_.emplace(positions_, tolerance);

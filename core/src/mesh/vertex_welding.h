@@ -3,7 +3,7 @@
 // Step 2 of building a `TriangleMesh`, in slices: which vertices of the input are one.
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <optional>
 #include <span>
 #include <utility>
@@ -24,7 +24,8 @@ namespace gvd {
 class VertexWelding {
  public:
   /// All must outlive this.
-  VertexWelding(std::span<const double> positions, std::span<const int> triangles, double weld);
+  VertexWelding(std::span<const double> positions, std::span<const int> triangles, double weld)
+      : positions_(positions), triangles_(triangles), weld_(weld) {}
   bool step(long& budget);
   std::vector<int> take() { return std::move(representative_); }
 
@@ -32,7 +33,6 @@ class VertexWelding {
   Eigen::Vector3d position(int v) const;
   int placeGroup(int v) const;
   void weldGroup(std::span<int> vertices);
-  void addToBox(int v);
   void openGrid();
   void weldToNear(int v);
 
@@ -43,8 +43,8 @@ class VertexWelding {
   SlicedSequence sequence_;
   SlicedLoop loop_;
   std::vector<int> representative_;
-  Grouping places_;  ///< vertices, grouped by a hash of their positions
-  Eigen::Vector3d least_, most_;
+  Grouping places_;                        ///< vertices, grouped by a hash of their positions
+  Eigen::AlignedBox3d box_;                ///< of all triangles
   std::optional<PointGrid> keptVertices_;  ///< the representatives, if there is a tolerance
 };
 

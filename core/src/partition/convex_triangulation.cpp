@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/plane.h"
+
 namespace gvd {
 
 /// Every chord cuts off a smaller convex polygon, on its right. Of the triangles on the chord, the
@@ -35,7 +37,7 @@ int ConvexTriangulation::apex(int from, int to, const IsRuledOut& isRuledOut) co
     if (isRuledOut && ((k - from > 1 && isRuledOut(from, k)) || (to - k > 1 && isRuledOut(k, to))))
       continue;
     const Eigen::Vector2d p = corners_[to] - corners_[k], q = corners_[from] - corners_[k];
-    const double area = p[0] * q[1] - p[1] * q[0];
+    const double area = cross(p, q);
     const double cotangent = area > 0 ? p.dot(q) / area : least;
     if (best == from || cotangent < least) {
       least = cotangent;

@@ -40,7 +40,7 @@ bool PatchMeasuring::step(long& budget) {
       [&] { return fillInSlices(isOnOutline_, halfedges, '\0', budget); },
       [&] { return fillInSlices(isSeen_, triangles, '\0', budget); },
       [&] { return fillInSlices(isWalked_, halfedges, '\0', budget); },
-      [&] { return fillInSlices(isOnBorder_, vertices, '\0', budget); },
+      [&] { return fillInSlices(isCounted_, vertices, '\0', budget); },
       [&] { return fillInSlices(lastLabel_, vertices, kNoLabel, budget); },
       [&] { return fillInSlices(partition_.regions, siteCount_, RegionPatch(), budget); },
       [&] { return loop_.run(halfedges, budget, 8, [&](int h) { noteOutline(h); }); },
@@ -68,7 +68,7 @@ RegionPatch& PatchMeasuring::patchOf(int label) {
 void PatchMeasuring::noteOutline(int h) {
   if (!isOnOutline(partition_, h)) return;
   isOnOutline_[h] = true;
-  isOnBorder_[tail(h)] = isOnBorder_[tip(h)] = true;
+  isCounted_[tail(h)] = isCounted_[tip(h)] = true;
 }
 
 /// Measures all regions, then the part that no site reaches.
@@ -150,8 +150,8 @@ void PatchMeasuring::addStep(int h, RegionPatch& region) {
 
 void PatchMeasuring::countInnerVertices(int t) {
   for (const int v : partition_.triangles[t]) {
-    if (isOnBorder_[v]) continue;
-    isOnBorder_[v] = true;  // counted
+    if (isCounted_[v]) continue;
+    isCounted_[v] = true;
     ++sums_.innerVertices;
   }
 }
@@ -189,18 +189,21 @@ void PatchMeasuring::countTopology(RegionPatch& region) const {
   region.genus = genusOf(region.components, region.loops, region.eulerCharacteristic);
 }
 
+double PatchMeasuring::squaredDistanceToCentroid(int t, const RegionPatch& region) const {
+  return (partition_.positions[partition_.triangles[t][0]] - region.centroid).squaredNorm();
+}
+
 /// Offers the first corner of a triangle as the point nearest to the centroid. The best of these
 /// bounds the distance, so that few whole triangles have to be looked at.
 void PatchMeasuring::offerFirstCorner(int t, const RegionPatch& region) {
-  const double distance = (cornersOf(t)[0] - region.centroid).squaredNorm();
+  const double distance = squaredDistanceToCentroid(t, region);
   if (distance < nearest_.squaredDistance) nearest_ = {t, Vector3d::Unit(0), distance};
 }
 
 void PatchMeasuring::offerTriangle(int t, const RegionPatch& region) {
-  const auto corners = cornersOf(t);
   // (a + b)² ≤ 2 (a² + b²)
-  if ((corners[0] - region.centroid).squaredNorm() > 2 * (nearest_.squaredDistance + sums_.reach))
-    return;
+  if (squaredDistanceToCentroid(t, region) > 2 * (nearest_.squaredDistance + sums_.reach)) return;
+  const auto corners = cornersOf(t);
   const Vector3d here = nearestOnTriangle(region.centroid, corners);
   const Vector3d place = here[0] * corners[0] + here[1] * corners[1] + here[2] * corners[2];
   const double distance = (place - region.centroid).squaredNorm();

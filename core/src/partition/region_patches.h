@@ -43,6 +43,7 @@ class PatchMeasuring {
   int tail(int h) const { return tailOf(partition_.triangles, h); }
   int tip(int h) const { return tipOf(partition_.triangles, h); }
   std::array<Eigen::Vector3d, 3> cornersOf(int t) const;
+  double squaredDistanceToCentroid(int t, const RegionPatch& region) const;
   RegionPatch& patchOf(int label);
 
   bool measureAll(long& budget);
@@ -68,8 +69,8 @@ class PatchMeasuring {
   std::vector<char> isOnOutline_;  ///< halfedges
   std::vector<char> isSeen_;       ///< triangles
   std::vector<char> isWalked_;     ///< halfedges on outlines
-  std::vector<char> isOnBorder_;
-  std::vector<int> lastLabel_;  ///< per vertex, of the last region whose outline passed it
+  std::vector<char> isCounted_;    ///< vertices; on outlines, steps count them
+  std::vector<int> lastLabel_;     ///< per vertex, of the last region whose outline passed it
 
   // Of the current region.
   Sums sums_;

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/plane.h"
 #include "base/sliced_loop.h"
 #include "diagram/diagram_pieces.h"
 #include "diagram/given_diagram.h"
@@ -48,7 +49,7 @@ double distortionOf(const TriangleMesh& mesh, const DistanceField& distances, in
   const Vector2d across = (u.col(2) - u.col(0) - apex.x() * along) / apex.y();
   // σ₁² + σ₂² = |J|², and σ₁ σ₂ = |det J|, where J is their matrix.
   const double squares = along.squaredNorm() + across.squaredNorm();
-  const double product = std::abs(along[0] * across[1] - along[1] * across[0]);
+  const double product = std::abs(cross(along, across));
   return std::max(0.0, squares - 2 * std::sqrt(squares + 2 * product) + 2);
 }
 
