@@ -96,9 +96,9 @@ class DynamicDiagram {
   /// list given do not count.
   int labelCount() const;
   bool hasSite(int label) const;
-  /// Throws `Error(kInvalidArgument)` if no site has the label.
+  /// Throws `Error(kInvalidArgument)` if no site has the label. O(1).
   SurfacePoint site(int label) const;
-  /// By label; face -1 where a label has no site.
+  /// By label; face -1 where a label has no site. O(labels).
   std::vector<SurfacePoint> sites() const;
 
   /// Up to date after every change.

@@ -55,9 +55,6 @@ struct RegionPatch {
   /// How often it touches itself in a point: at each point, the number of its fans of triangles
   /// minus one.
   int selfTouchings = 0;
-
-  /// Whether it is a closed disk.
-  bool isDisk() const { return components == 1 && eulerCharacteristic == 1 && selfTouchings == 0; }
 };
 
 /// A mesh cut into the regions of a diagram (Melvær & Reimers 2014, section 7.2): the mesh's own
@@ -107,7 +104,7 @@ std::unique_ptr<SlicedWork<Partition>> startPartition(const TriangleMesh& mesh,
 /// The corners of a triangle of a partition in terms of `triangleFace[triangle]`: column i holds
 /// the barycentric coordinates of corner i. `Partition::points` gives a vertex that lies on an edge
 /// or a vertex of the mesh in only one of the faces around it; use the coordinates given here to
-/// interpolate values that differ from face to face, such as texture coordinates at a seam.
+/// interpolate values that differ from face to face, such as texture coordinates at a seam. O(1).
 Eigen::Matrix3d cornersInFace(const TriangleMesh& mesh, const Partition& partition, int triangle);
 
 }  // namespace gvd

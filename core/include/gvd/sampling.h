@@ -74,7 +74,9 @@ struct PoissonDisk {
 PoissonDisk samplePoissonDisk(const TriangleMesh& mesh, double radius, std::uint64_t seed);
 
 /// `count` such points: the radius falls until as many fit. Points come in order of falling radius,
-/// so the first of them are a Poisson disk sample themselves, a coarser one.
+/// so the first of them are a Poisson disk sample themselves, a coarser one. The radius falls by a
+/// twentieth each time that more points in a row were too near than there are points, and 100 more;
+/// otherwise the time is that of `samplePoissonDisk`.
 /// Source: Michael McCool, Eugene Fiume. Hierarchical Poisson Disk Sampling Distributions. 1992.
 PoissonDisk samplePoissonDiskCount(const TriangleMesh& mesh, int count, std::uint64_t seed);
 

@@ -233,16 +233,17 @@ class TriangleMesh {
   /// `Error(kInvalidPoint)` with this text if they are off by more.
   std::string faultOfPoint(const SurfacePoint& p) const;
 
-  /// A point of this mesh in terms of the input's triangles; face -1 stays -1.
+  /// A point of this mesh in terms of the input's triangles; face -1 stays -1. O(1).
   SurfacePoint toInput(const SurfacePoint& p) const;
   /// A point given by an input triangle, in terms of this mesh. A point on a dropped triangle is
   /// found on the edge or vertex of a kept one. Barycentric coordinates may be off by up to 1e-6
   /// (they are clamped and normalised); throws `Error(kInvalidPoint)` naming the fault if they are
   /// off by more or not finite, if the triangle does not exist, or if no kept triangle has the
-  /// point.
+  /// point. O(log F).
   SurfacePoint fromInput(const SurfacePoint& p) const;
   /// The place of an input vertex; throws `Error(kInvalidPoint)` if the vertex does not exist or is
   /// isolated. For a split vertex, its copy in the first triangle that names the input vertex.
+  /// O(1).
   SurfacePoint fromInputVertex(int inputVertex) const;
   /// The vertex at that place, -1 if the input vertex is isolated. The input vertex exists.
   int vertexOfInput(int inputVertex) const {
