@@ -34,6 +34,24 @@ GltfCase& GltfCases::refused(const std::string& name, const std::string& sentenc
   return refused(name, sentence, file.glb());
 }
 
+GltfCases::Change primitives(const std::string& list) {
+  return [list](GlbWriter& file) { file.meshes[0] = R"({"primitives":[)" + list + "]}"; };
+}
+
+GltfCases::Change node(const std::string& members) {
+  return [members](GlbWriter& file) { file.nodes[0] = '{' + members + '}'; };
+}
+
+GltfCases::Change accessor(const std::string& members) {
+  return [members](GlbWriter& file) { file.accessors[0] = '{' + members + '}'; };
+}
+
+std::string repeated(const std::string& text, int count) {
+  std::string all;
+  for (int i = 0; i < count; ++i) all += text + ',';
+  return '[' + all + text + ']';
+}
+
 std::vector<GltfCase> gltfCorpus() {
   GltfCases cases;
   addContainerCases(cases);

@@ -48,6 +48,14 @@ class GltfCases {
 GlbWriter triangleFile();
 extern const std::vector<float> kTriangle;
 
+/// Changes of the valid file: the primitives of its mesh, the members of its node or its accessor.
+GltfCases::Change primitives(const std::string& list);
+GltfCases::Change node(const std::string& members);
+GltfCases::Change accessor(const std::string& members);
+
+/// A JSON array of `count` + 1 equal elements.
+std::string repeated(const std::string& text, int count);
+
 void addContainerCases(GltfCases& cases);
 void addBufferCases(GltfCases& cases);
 void addNumberCases(GltfCases& cases);
