@@ -185,11 +185,10 @@ class Partitioner final : public SlicedWork<Partition> {
 
   bool advance(long budget) override {
     return sequence_.run(
-        [&] { return runPart(cutting_, budget, mesh_, diagram_, options_); },
+        [&] { return cutting_.step(budget); },
         [&] {
-          pieces_ = cutting_->takePieces();
-          uncut_ = cutting_->takeUncut();
-          cutting_.reset();
+          pieces_ = cutting_.takePieces();
+          uncut_ = cutting_.takeUncut();
         },
         [&] { return groupByLabel(budget); }, [&] { return numberVertices(budget); },
         [&] { return runPart(matching_, budget, mesh_, uncut_, out_); },
@@ -270,7 +269,7 @@ class Partitioner final : public SlicedWork<Partition> {
 
   SlicedSequence sequence_, grouping_, numbering_;
   SlicedLoop loop_;
-  std::optional<FaceCutting> cutting_;
+  FaceCutting cutting_{mesh_, diagram_, options_};
   std::vector<Piece> pieces_;
   std::vector<int> uncut_;     ///< per face that is not cut, its piece, later its triangle; else -1
   Grouping byLabel_;           ///< pieces
