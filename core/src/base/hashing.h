@@ -16,4 +16,12 @@ inline std::uint64_t hashOf(double x, std::uint64_t before) {
   return hash ^ hash >> 32;
 }
 
+/// A hash of three numbers, from 0 to below `count`.
+template <class Numbers>
+int hashBelow(int count, const Numbers& numbers) {
+  std::uint64_t hash = 0;
+  for (const double x : numbers) hash = hashOf(x, hash);
+  return static_cast<int>((hash & 0xFFFFFFFF) * static_cast<std::uint64_t>(count) >> 32);
+}
+
 }  // namespace gvd

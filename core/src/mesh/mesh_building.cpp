@@ -309,7 +309,7 @@ void MeshBuilding::followLoopFrom(int vertex) {
 
 void MeshBuilding::sampleBoundary() {
   constexpr std::size_t kSamples = 4096;
-  boundarySamples_.emplace(mesh_.positions_, kSeamWidth * mesh_.boundingDiagonal_);
+  boundarySamples_.emplace(mesh_.positions_, kSeamWidth * mesh_.boundingDiagonal_, kSamples);
   const std::size_t step = (boundary_.size() + kSamples - 1) / kSamples;
   for (std::size_t i = 0; i < boundary_.size(); i += step) boundarySamples_->add(boundary_[i]);
 }

@@ -15,7 +15,11 @@ double after(double x) {
 
 }  // namespace
 
-void PointGrid::add(int v) { cubes_[cubeOf(position(v))].push_back(v); }
+void PointGrid::add(int v) {
+  int& last = last_[bucketOf(cubeOf(position(v)))];
+  entries_.push_back({v, last});
+  last = static_cast<int>(entries_.size()) - 1;
+}
 
 int PointGrid::firstNear(const Eigen::Vector3d& p) const {
   // Rounding is monotone, so no point within the radius is in a cube beyond these.
@@ -25,9 +29,10 @@ int PointGrid::firstNear(const Eigen::Vector3d& p) const {
   for (double x = low[0]; x <= high[0]; x = after(x))
     for (double y = low[1]; y <= high[1]; y = after(y))
       for (double z = low[2]; z <= high[2]; z = after(z))
-        if (const auto cube = cubes_.find({x, y, z}); cube != cubes_.end())
-          for (const int v : cube->second)
-            if ((first < 0 || v < first) && (position(v) - p).norm() <= radius_) first = v;
+        for (int i = last_[bucketOf({x, y, z})]; i >= 0; i = entries_[i].before) {
+          const int v = entries_[i].point;
+          if ((first < 0 || v < first) && (position(v) - p).norm() <= radius_) first = v;
+        }
   return first;
 }
 

@@ -3,18 +3,22 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <map>
+#include <cstddef>
 #include <span>
 #include <vector>
+
+#include "base/hashing.h"
 
 namespace gvd {
 
 /// Points in a grid of cubes, to find those near a place.
 class PointGrid {
  public:
-  /// `positions` must outlive this.
-  PointGrid(std::span<const double> positions, double radius)
-      : positions_(positions), radius_(radius) {}
+  /// For about `count` points; `positions` must outlive this.
+  PointGrid(std::span<const double> positions, double radius, std::size_t count)
+      : positions_(positions), radius_(radius), last_(count, -1) {
+    entries_.reserve(count);
+  }
 
   void add(int v);
   /// The lowest index of a point within the radius, -1 if there is none.
@@ -23,11 +27,18 @@ class PointGrid {
  private:
   using Cube = std::array<double, 3>;
   Cube cubeOf(const Eigen::Vector3d& p) const;
+  int bucketOf(const Cube& cube) const { return hashBelow(static_cast<int>(last_.size()), cube); }
   Eigen::Vector3d position(int v) const;
 
   const std::span<const double> positions_;
   const double radius_;
-  std::map<Cube, std::vector<int>> cubes_;
+
+  /// A point, and the entry before it in its bucket.
+  struct Entry {
+    int point, before;
+  };
+  std::vector<int> last_;  ///< entry of each bucket of cubes; -1 in an empty one
+  std::vector<Entry> entries_;
 };
 
 }  // namespace gvd

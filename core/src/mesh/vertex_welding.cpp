@@ -3,23 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <tuple>
 
 #include "base/hashing.h"
 
 namespace gvd {
-namespace {
-
-/// A hash of a position, from 0 to below `count`.
-int hashBelow(int count, const Eigen::Vector3d& p) {
-  std::uint64_t hash = 0;
-  for (const double x : p) hash = hashOf(x, hash);
-  return static_cast<int>((hash & 0xFFFFFFFF) * static_cast<std::uint64_t>(count) >> 32);
-}
-
-}  // namespace
 
 bool VertexWelding::step(long& budget) {
   const int count = static_cast<int>(positions_.size() / 3);
@@ -66,7 +55,7 @@ void VertexWelding::openGrid() {
   const double tolerance = weld_ * box_.diagonal().norm();
   constexpr double kRounding = std::numeric_limits<double>::epsilon();
   if (weld_ >= kRounding && tolerance > 0 && std::isfinite(tolerance))
-    keptVertices_.emplace(positions_, tolerance);
+    keptVertices_.emplace(positions_, tolerance, positions_.size() / 3);
 }
 
 void VertexWelding::weldToNear(int v) {
