@@ -230,8 +230,8 @@ GVD_ABI Answer* sampleSites(const MeshHandle* handle, int count, Text sampling, 
     const TriangleMesh& mesh = *handle->mesh;
     const auto from = static_cast<std::uint64_t>(seed);
     if (density.size > 0) {
-      const std::vector<double> values = valuesFromInput(mesh, "densities", density.span());
-      return new Answer{nullptr, pointsRecord(mesh, sampleByDensity(mesh, values, count, from))};
+      std::vector<double> values = valuesFromInput(mesh, "densities", density.span());
+      return pointsAnswer(*handle, startByDensity(mesh, std::move(values), count, from));
     }
     switch (valueOf(kSamplings, "sampling", toView(sampling))) {
       case Sampling::kFarthest:
@@ -239,7 +239,7 @@ GVD_ABI Answer* sampleSites(const MeshHandle* handle, int count, Text sampling, 
       case Sampling::kPoisson:
         return pointsAnswer(*handle, startPoissonDiskCount(mesh, count, from));
       default:
-        return new Answer{nullptr, pointsRecord(mesh, sampleUniform(mesh, count, from))};
+        return pointsAnswer(*handle, startUniform(mesh, count, from));
     }
   });
 }

@@ -14,6 +14,7 @@
 
 #include "diagram_checks.h"
 #include "distance/label_turns.h"
+#include "gvd/curvature.h"
 #include "gvd/cvt.h"
 #include "gvd/dual.h"
 #include "gvd/dynamic_diagram.h"
@@ -163,6 +164,20 @@ TEST(SlicedWork, ATurnOfManyRoundsIsInterrupted) {
   EXPECT_EQ(rounds, 100);
 }
 
+/// These took a single step, and nothing else had its turn until the whole mesh was gone through.
+TEST(SlicedWork, NoStepGoesThroughTheWholeMesh) {
+  const TriangleMesh mesh = shapes::grid(100, 100).mesh();
+  const auto steps = [](auto work) {
+    int count = 1;
+    while (!work->step(1)) ++count;
+    return count;
+  };
+  const int faces = mesh.faceCount();
+  EXPECT_GT(steps(startUniform(mesh, 1, 1)), faces / 64);
+  const std::vector<double> density(mesh.vertexCount(), 1);
+  EXPECT_GT(steps(startByDensity(mesh, density, 1, 1)), faces / 64);
+}
+
 TEST(SlicedWork, ALongOutlineThatUsesUpTheBudgetLeavesNothingOut) {
   // The one outline is the last thing of its stage, and takes more than all the budget there is.
   const TriangleMesh mesh = shapes::grid(400, 400).mesh();
@@ -213,6 +228,10 @@ TEST(SlicedWork, GivesTheSameSamples) {
     SCOPED_TRACE(seed);
     const TriangleMesh mesh = shapes::randomMesh(seed);
     const double radius = mesh.boundingDiagonal() / 8;
+    EXPECT_TRUE(samePoints(inSteps(startUniform(mesh, 20, seed)), sampleUniform(mesh, 20, seed)));
+    const std::vector<double> density = curvatureDensity(mesh);
+    EXPECT_TRUE(samePoints(inSteps(startByDensity(mesh, density, 20, seed)),
+                           sampleByDensity(mesh, density, 20, seed)));
     EXPECT_TRUE(samePoints(inSteps(startFarthest(mesh, 20, seed)), sampleFarthest(mesh, 20, seed)));
     EXPECT_TRUE(samePoints(inSteps(startFarthest(mesh, 1000, seed, radius)),
                            sampleFarthest(mesh, 1000, seed, radius)));

@@ -30,6 +30,12 @@ const tasks = {
     opened(bumpySphere(40, 60), { weld: 1e-4, minComponent: 3, ...options }),
   'a mesh of subdivided triangles': (options) =>
     opened(bumpySphere(40, 60), { maxEdge: 0.01, ...options }),
+  'random points': (options) => mesh.sampleSites(1000, options),
+  'random points by density': (options) =>
+    mesh.sampleSites(1000, {
+      density: Float64Array.from(mesh.positions.subarray(0, mesh.info.inputVertices), Math.abs),
+      ...options,
+    }),
   'farthest points': (options) => mesh.sampleSites(40, { sampling: 'farthest', ...options }),
   'farthest points by radius': (options) => mesh.sampleSites({ radius: 0.5 }, options),
   'a Poisson disk': (options) => mesh.sampleSites(40, { sampling: 'poisson', ...options }),

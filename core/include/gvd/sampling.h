@@ -26,6 +26,10 @@ namespace gvd {
 /// O(F + count log F).
 std::vector<SurfacePoint> sampleUniform(const TriangleMesh& mesh, int count, std::uint64_t seed);
 
+/// The same in steps. The mesh must outlive it.
+std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startUniform(const TriangleMesh& mesh,
+                                                                    int count, std::uint64_t seed);
+
 /// `count` points, independent, spread as the sites of a tessellation with this density are in the
 /// limit of many (`CvtOptions::density`): with a probability per area in proportion to the square
 /// root of the density at each vertex of the mesh, linear in between. The first n points do not
@@ -35,6 +39,12 @@ std::vector<SurfacePoint> sampleUniform(const TriangleMesh& mesh, int count, std
 /// Source: Allen Gersho. Asymptotically Optimal Block Quantization. 1979.
 std::vector<SurfacePoint> sampleByDensity(const TriangleMesh& mesh, std::span<const double> density,
                                           int count, std::uint64_t seed);
+
+/// The same in steps. The mesh must outlive it.
+std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startByDensity(const TriangleMesh& mesh,
+                                                                      std::vector<double> density,
+                                                                      int count,
+                                                                      std::uint64_t seed);
 
 /// Farthest point sampling: a first point at random, uniform by area, then one vertex after the
 /// other, always the one that is farthest from all points so far (vertices that no point reaches

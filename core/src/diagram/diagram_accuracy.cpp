@@ -44,11 +44,10 @@ class Comparison final : public SlicedWork<DiagramAccuracy> {
         distances_(distances),
         diagram_(diagram),
         samples_(samples),
-        regions_(mesh, diagram),
-        sums_(cumulative(faceAreas(mesh))) {}
+        regions_(mesh, diagram) {}
 
   bool advance(long budget) override {
-    return loop_.runWeighted(samples_, budget, 1, [&](int) {
+    return sumAreas(mesh_, sums_, budget) && loop_.runWeighted(samples_, budget, 1, [&](int) {
       const SurfacePoint p = drawPoint(random_, sums_);
       mislabelled_ += distances_.nearest(p).label != regions_.labelAt(p);
       ++drawn_;
@@ -68,8 +67,8 @@ class Comparison final : public SlicedWork<DiagramAccuracy> {
   const Diagram& diagram_;
   const int samples_;
   const RegionLookup regions_;
-  const std::vector<double> sums_;
-  std::mt19937_64 random_;  // the same numbers at each call
+  std::vector<double> sums_;  ///< of the areas of faces
+  std::mt19937_64 random_;    // the same numbers at each call
   SlicedLoop loop_;
   int drawn_ = 0, mislabelled_ = 0;
 };

@@ -1,19 +1,26 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <random>
 #include <vector>
 
 #include "base/random.h"
+#include "base/sliced_loop.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 
 namespace gvd {
 
-inline std::vector<double> faceAreas(const TriangleMesh& mesh) {
-  std::vector<double> areas(mesh.faceCount());
-  for (int f = 0; f < mesh.faceCount(); ++f) areas[f] = mesh.faceArea(f);
-  return areas;
+/// Lengthens a list to the cumulative sums of the areas of all faces, in slices; true when it is
+/// that long.
+inline bool sumAreas(const TriangleMesh& mesh, std::vector<double>& sums, long& budget) {
+  const std::size_t count = mesh.faceCount();
+  sums.reserve(count);
+  const std::size_t end = endOfSlice(sums.size(), count, budget, kQuickRounds);
+  while (sums.size() < end)
+    sums.push_back((sums.empty() ? 0 : sums.back()) + mesh.faceArea(static_cast<int>(sums.size())));
+  return end == count;
 }
 
 /// A point in a face drawn by the cumulative sums of values per face, uniform within the face.

@@ -52,7 +52,7 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
 
   bool advance(long budget) override {
     return sequence_.run([&] { return disks_.prepare(budget); },
-                         [&] { sums_ = cumulative(faceAreas(mesh_)); },
+                         [&] { return sumAreas(mesh_, sums_, budget); },
                          [&] { return addAll(budget); },
                          [&] {
                            return count_ || runPart(covering_, budget, mesh_, radius_,
@@ -145,7 +145,7 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
   SlicedSequence sequence_, spread_;
   SlicedLoop loop_;
   dgpc::UnfoldingSweep sweep_;
-  std::vector<double> sums_;  ///< cumulative weights of the faces
+  std::vector<double> sums_;  ///< of the areas of faces
   size_t misses_ = 0;         ///< since the last dart that hit
   int nextVertex_ = 0;        ///< to be tried, after all darts
   bool isSpreading_ = false;

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <queue>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "gvd/error.h"
 #include "gvd/geodesic.h"
 #include "gvd/sampling.h"
+#include "mesh/point_drawing.h"
 #include "mesh/representations.h"
 #include "tessellation/sample_count.h"
 #include "tessellation/vertex_covering.h"
@@ -39,8 +41,11 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
             queue_.push({kInfinity, -v});
           });
         },
+        [&] { return count_ == 0 || sumAreas(mesh_, sums_, budget); },
         [&] {
-          if (count_ > 0) add(sampleUniform(mesh_, 1, seed_).front());
+          std::mt19937_64 random(seed_);
+          if (count_ > 0) add(drawPoint(random, sums_));
+          release(sums_);
         },
         [&] { return count_ == 0 || addOthers(budget); },
         [&] {
@@ -102,6 +107,7 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
   SlicedSequence sequence_, spread_;
   SlicedLoop loop_;
   dgpc::UnfoldingSweep sweep_;
+  std::vector<double> sums_;                           ///< of the areas of faces
   std::vector<double> least_;                          ///< from the nearest point, per vertex
   std::priority_queue<std::pair<double, int>> queue_;  ///< vertices negated: the lowest first
   std::vector<SurfacePoint> points_;

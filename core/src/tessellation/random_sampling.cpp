@@ -3,52 +3,127 @@
 // `sampleUniform` and `sampleByDensity`: independent random points.
 #include <Eigen/Core>
 #include <cmath>
+#include <memory>
 #include <random>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/random.h"
+#include "base/sliced_loop.h"
 #include "gvd/error.h"
 #include "gvd/sampling.h"
 #include "mesh/point_drawing.h"
-#include "mesh/surface_geometry.h"
 #include "tessellation/density.h"
 #include "tessellation/sample_count.h"
 
 namespace gvd {
+namespace {
+
+/// Draws faces by the integrals of the square root of the density, and points within a face by
+/// rejection.
+class DensitySampling final : public SlicedWork<std::vector<SurfacePoint>> {
+ public:
+  DensitySampling(const TriangleMesh& mesh, std::vector<double> density, int count,
+                  std::uint64_t seed)
+      : mesh_(mesh), density_(std::move(density)), count_(count), random_(seed) {
+    requireCount(count);
+    requireDensity(mesh, density_);
+  }
+
+  bool advance(long budget) override {
+    return sequence_.run(
+        [&] {
+          sums_.reserve(mesh_.faceCount());
+          return loop_.run(mesh_.faceCount(), budget, 8, [&](int f) {
+            sum_ += mesh_.faceArea(f) * rootsOf(f).sum();
+            sums_.push_back(sum_);
+          });
+        },
+        [&] {
+          if (!(sum_ > 0))
+            throw Error(ErrorCode::kInvalidArgument, "the density is zero all over the surface");
+        },
+        [&] { return loop_.run(count_, budget, 1, [&](int) { points_.push_back(draw()); }); });
+  }
+  double progress() const override { return sequence_.progress(); }
+  std::vector<SurfacePoint> result() override { return std::move(points_); }
+
+ private:
+  Eigen::Vector3d rootsOf(int face) const {
+    Eigen::Vector3d roots;
+    for (int i = 0; i < 3; ++i) roots[i] = std::sqrt(density_[mesh_.tail(3 * face + i)]);
+    return roots;
+  }
+
+  SurfacePoint draw() {
+    SurfacePoint p = drawPoint(random_, sums_);
+    const Eigen::Vector3d roots = rootsOf(p.face);
+    while (drawUniform(random_) * roots.maxCoeff() > p.bary.dot(roots))
+      p.bary = drawBarycentric(random_);
+    return p;
+  }
+
+  const TriangleMesh& mesh_;
+  const std::vector<double> density_;
+  const int count_;
+  std::mt19937_64 random_;
+  SlicedSequence sequence_;
+  SlicedLoop loop_;
+  std::vector<double> sums_;  ///< per face, of the integrals up to it
+  double sum_ = 0;
+  std::vector<SurfacePoint> points_;
+};
+
+class UniformSampling final : public SlicedWork<std::vector<SurfacePoint>> {
+ public:
+  UniformSampling(const TriangleMesh& mesh, int count, std::uint64_t seed)
+      : mesh_(mesh), count_(count), random_(seed) {
+    requireCount(count);
+  }
+
+  bool advance(long budget) override {
+    return sequence_.run([&] { return sumAreas(mesh_, sums_, budget); },
+                         [&] {
+                           return loop_.run(count_, budget, 1, [&](int) {
+                             points_.push_back(drawPoint(random_, sums_));
+                           });
+                         });
+  }
+  double progress() const override { return sequence_.progress(); }
+  std::vector<SurfacePoint> result() override { return std::move(points_); }
+
+ private:
+  const TriangleMesh& mesh_;
+  const int count_;
+  std::mt19937_64 random_;
+  SlicedSequence sequence_;
+  SlicedLoop loop_;
+  std::vector<double> sums_;  ///< of the areas of faces
+  std::vector<SurfacePoint> points_;
+};
+
+}  // namespace
+
+std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startUniform(const TriangleMesh& mesh,
+                                                                    int count, std::uint64_t seed) {
+  return std::make_unique<UniformSampling>(mesh, count, seed);
+}
 
 std::vector<SurfacePoint> sampleUniform(const TriangleMesh& mesh, int count, std::uint64_t seed) {
-  requireCount(count);
-  const std::vector<double> sums = cumulative(faceAreas(mesh));
-  std::mt19937_64 random(seed);
-  std::vector<SurfacePoint> points(count);
-  for (SurfacePoint& p : points) p = drawPoint(random, sums);
-  return points;
+  return finished(startUniform(mesh, count, seed));
+}
+
+std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startByDensity(const TriangleMesh& mesh,
+                                                                      std::vector<double> density,
+                                                                      int count,
+                                                                      std::uint64_t seed) {
+  return std::make_unique<DensitySampling>(mesh, std::move(density), count, seed);
 }
 
 std::vector<SurfacePoint> sampleByDensity(const TriangleMesh& mesh, std::span<const double> density,
                                           int count, std::uint64_t seed) {
-  requireCount(count);
-  requireDensity(mesh, density);
-  std::vector<double> sums = faceAreas(mesh);
-  std::vector<Eigen::Vector3d> corners(mesh.faceCount());
-  for (int f = 0; f < mesh.faceCount(); ++f) {
-    for (int i = 0; i < 3; ++i) corners[f][i] = std::sqrt(density[mesh.tail(3 * f + i)]);
-    sums[f] *= corners[f].sum();
-  }
-  sums = cumulative(sums);
-  if (!(sums.back() > 0))
-    throw Error(ErrorCode::kInvalidArgument, "the density is zero all over the surface");
-  std::mt19937_64 random(seed);
-  std::vector<SurfacePoint> points(count);
-  for (SurfacePoint& p : points) {
-    p.face = drawIndex(random, sums);
-    const Eigen::Vector3d& root = corners[p.face];
-    do {
-      p.bary = drawBarycentric(random);
-    } while (drawUniform(random) * root.maxCoeff() > p.bary.dot(root));
-  }
-  return points;
+  return finished(startByDensity(mesh, {density.begin(), density.end()}, count, seed));
 }
 
 }  // namespace gvd
