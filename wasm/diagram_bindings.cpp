@@ -3,6 +3,7 @@
 // Diagrams for JavaScript: distances first, then the diagram, both in slices; points located in it,
 // paths to its sites, sites that come, go and move.
 
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -33,7 +34,11 @@ class VertexDistances final : public PointLookup {
       : PointLookup(mesh->inputVertexCount()),
         mesh_(std::move(mesh)),
         sites_(std::move(sites)),
-        propagation_(propagate(*mesh_, sites_, metric)) {}
+        propagation_(propagate(*mesh_, sites_, metric)) {
+    label_.reserve(mesh_->inputVertexCount());
+    distance_.reserve(mesh_->inputVertexCount());
+    direction_.reserve(2 * static_cast<std::size_t>(mesh_->inputVertexCount()));
+  }
 
   double progress() const override {
     constexpr double kPropagationShare = 0.9;

@@ -134,6 +134,7 @@ export function toFloat64(name: string, values: ArrayLike<number>): Float64Array
 export function toInt32(name: string, values: ArrayLike<number>): Int32Array<ArrayBuffer> {
   requireNumbers(name, values);
   const integers = new Int32Array(values);
+  if (values instanceof Int32Array) return integers;
   for (let i = 0; i < integers.length; ++i) {
     if (integers[i] !== values[i])
       throw invalidArgument(`${name}[${i}] is ${show(values[i])}, not an index`);
