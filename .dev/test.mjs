@@ -91,7 +91,7 @@ const fuzzed = [
 const sanitized = [
   ...watched,
   '-DGVD_SANITIZE=address,undefined,float-cast-overflow',
-  '-DGVD_PROPERTY_CASES=1000',
+  '-DGVD_PROPERTY_CASES=500',
   '-DCGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE=ON',
 ];
 
