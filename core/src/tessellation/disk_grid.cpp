@@ -45,6 +45,7 @@ DiskGrid::DiskGrid(const TriangleMesh& mesh, double width)
 bool DiskGrid::prepare(long& budget) {
   return sequence_.run(
       [&] {
+        first_.reserve(mesh_.faceCount() + 1);
         return loop_.run(mesh_.faceCount(), budget, kQuickRounds, [&](int f) {
           const Grid grid = gridOf(mesh_.face(f));
           first_.push_back(first_.back() + grid.columns * grid.rows);

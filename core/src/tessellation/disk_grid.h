@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <deque>
 #include <span>
 #include <vector>
 
@@ -47,9 +48,9 @@ class DiskGrid {
   const double width_;
   SlicedSequence sequence_;
   SlicedLoop loop_;
-  std::vector<int> first_ = {0};      ///< per face its first rectangle; then their number
-  SmallLists<int> disks_;             ///< per rectangle
-  std::vector<Distances> distances_;  ///< of a disk in a face
+  std::vector<int> first_ = {0};     ///< per face its first rectangle; then their number
+  SmallLists<int> disks_;            ///< per rectangle
+  std::deque<Distances> distances_;  ///< of a disk in a face; not moved when there are more
 };
 
 }  // namespace gvd
