@@ -82,7 +82,9 @@ GVD_ABI Answer* advanceCvt(CvtHandle* cvt) {
 
 /// `DiagramData` of the last iteration.
 GVD_ABI Answer* cvtDiagram(const CvtHandle* cvt) {
-  return answer([&] { return diagramRecord(*cvt->surface.mesh, cvt->cvt->diagram()); });
+  return guarded([&] {
+    return diagramAnswer(cvt->surface.mesh, std::make_shared<const Diagram>(cvt->cvt->diagram()));
+  });
 }
 
 /// The diagram of the last iteration as an object.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,7 +48,9 @@ class PartitionAnswer final : public SlicedWork<Record> {
     const int count = static_cast<int>(partition_.triangles.size());
     const long most = budget < count ? budget * kTrianglesPerUnit : count;
     for (const long end = std::min<long>(count, next_ + most); next_ < end; ++next_) addCorners();
-    return next_ == count;
+    if (next_ < count) return false;
+    if (!points_) points_.emplace(*on_.mesh, partition_.points, false);
+    return points_->step(budget);
   }
   double progress() const override {
     constexpr double kPartitionShare = 0.9;
@@ -56,14 +59,16 @@ class PartitionAnswer final : public SlicedWork<Record> {
     return count > 0 ? kPartitionShare + (1 - kPartitionShare) * next_ / count : 1;
   }
   Record result() override {
-    return partitionRecord(*on_.mesh, std::move(partition_), std::move(corners_));
+    return partitionRecord(*on_.mesh, std::move(partition_), points_->take(), std::move(corners_));
   }
 
  private:
   void addCorners() {
     const Eigen::Matrix3d corners = cornersInFace(*on_.mesh, partition_, next_);
+    int& face = partition_.triangleFace[next_];
     for (const auto& corner : corners.colwise())
-      corners_.push_back(on_.mesh->toInput({partition_.triangleFace[next_], corner}).bary);
+      corners_.push_back(on_.mesh->toInput({face, corner}).bary);
+    face = on_.mesh->inputFace(face);
   }
 
   const Surface on_;
@@ -71,6 +76,7 @@ class PartitionAnswer final : public SlicedWork<Record> {
   Partition partition_;
   std::vector<Eigen::Vector3d> corners_;
   int next_ = 0;  ///< triangle
+  std::optional<PointsRecording> points_;
 };
 
 }  // namespace

@@ -251,7 +251,10 @@ GVD_ABI Answer* pathToSite(const VoronoiHandle* voronoi, Ints face, Doubles bary
 
 /// `DiagramData`.
 GVD_ABI Answer* voronoiDiagram(VoronoiHandle* voronoi) {
-  return answer([&] { return diagramRecord(voronoi->mesh(), voronoi->diagram()); });
+  return guarded([&] {
+    const Surface on = voronoi->snapshot();
+    return diagramAnswer(on.mesh, on.diagram);
+  });
 }
 
 /// `DiagramChange`. Nothing else may be asked of the diagram until it is done.

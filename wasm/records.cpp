@@ -3,7 +3,10 @@
 // Results flattened to arrays, in terms of the input.
 #include "records.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
+#include <limits>
 #include <utility>
 
 namespace gvd::abi {
@@ -67,23 +70,23 @@ std::vector<int> inputFaceLabels(const TriangleMesh& mesh, std::span<const int> 
 
 /// A diagram, or the part of one that a change replaces. Leaves out `faceLabel`, which has an entry
 /// for every face in a diagram, but only for the changed faces in a change.
-Record piecesRecord(const TriangleMesh& mesh, Diagram diagram) {
-  Record arcs = listsRecord(std::move(diagram.arcs));
-  arcs.add("labels", std::move(diagram.arcLabels));
-  Record loops = listsRecord(std::move(diagram.loops));
-  loops.add("label", std::move(diagram.loopLabel));
-  Record cells = listsRecord(std::move(diagram.cells));
-  cells.add("face", inputFaces(mesh, std::move(diagram.cellFace)));
-  cells.add("label", std::move(diagram.cellLabel));
+Record piecesRecord(const TriangleMesh& mesh, const Diagram& diagram, Record points) {
+  Record arcs = listsRecord(diagram.arcs);
+  arcs.add("labels", diagram.arcLabels);
+  Record loops = listsRecord(diagram.loops);
+  loops.add("label", diagram.loopLabel);
+  Record cells = listsRecord(diagram.cells);
+  cells.add("face", inputFaces(mesh, diagram.cellFace));
+  cells.add("label", diagram.cellLabel);
 
   Record out;
-  out.add("points", placedRecord(mesh, diagram.points));
+  out.add("points", std::move(points));
   out.add("segments", segmentsRecord(mesh, diagram.segments));
   out.add("arcs", std::move(arcs));
   out.add("voronoiPoints", voronoiPointsRecord(diagram.voronoiPoints));
   out.add("loops", std::move(loops));
-  out.add("regionArea", std::move(diagram.regionArea));
-  out.add("indifferentFaces", inputFaces(mesh, std::move(diagram.indifferentFaces)));
+  out.add("regionArea", diagram.regionArea);
+  out.add("indifferentFaces", inputFaces(mesh, diagram.indifferentFaces));
   out.add("cells", std::move(cells));
   return out;
 }
@@ -166,31 +169,79 @@ Record topologyRecord(const PolygonTopology& topology) {
   return out;
 }
 
+class DiagramRecording final : public SlicedWork<Record> {
+ public:
+  DiagramRecording(std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr<const Diagram> diagram)
+      : mesh_(std::move(mesh)),
+        diagram_(std::move(diagram)),
+        points_(*mesh_, diagram_->points, true) {}
+
+  bool advance(long budget) override { return points_.step(budget); }
+  double progress() const override { return points_.progress(); }
+  Record result() override {
+    Record out;
+    out.add("siteCount", diagram_->siteCount);
+    out.add("faceLabel", inputFaceLabels(*mesh_, diagram_->faceLabel));
+    out.add(piecesRecord(*mesh_, *diagram_, points_.take()));
+    return out;
+  }
+
+ private:
+  const std::shared_ptr<const TriangleMesh> mesh_;
+  const std::shared_ptr<const Diagram> diagram_;
+  PointsRecording points_;
+};
+
+Record recorded(PointsRecording points) {
+  long budget = std::numeric_limits<long>::max();
+  points.step(budget);
+  return points.take();
+}
+
 }  // namespace
 
-Record pointsRecord(const TriangleMesh& mesh, std::span<const SurfacePoint> points) {
-  std::vector<int> face;
-  std::vector<Eigen::Vector3d> bary;
-  face.reserve(points.size());
-  bary.reserve(points.size());
-  for (const SurfacePoint& p : points) {
-    const SurfacePoint input = mesh.toInput(p);
-    face.push_back(input.face);
-    bary.push_back(input.bary);
+PointsRecording::PointsRecording(const TriangleMesh& mesh, std::span<const SurfacePoint> points,
+                                 bool isPlaced)
+    : mesh_(mesh), points_(points), isPlaced_(isPlaced) {
+  face_.reserve(points.size());
+  bary_.reserve(points.size());
+  if (isPlaced) position_.reserve(points.size());
+}
+
+bool PointsRecording::step(long& budget) {
+  constexpr std::size_t kPointsPerUnit = 8;
+  for (; face_.size() < points_.size(); --budget) {
+    if (budget <= 0) return false;
+    const std::size_t rest = points_.size() - face_.size();
+    for (const SurfacePoint& p : points_.subspan(face_.size(), std::min(rest, kPointsPerUnit))) {
+      const SurfacePoint input = mesh_.toInput(p);
+      face_.push_back(input.face);
+      bary_.push_back(input.bary);
+      if (isPlaced_) position_.push_back(mesh_.position(p));
+    }
   }
+  return true;
+}
+
+double PointsRecording::progress() const {
+  return points_.empty() ? 1
+                         : static_cast<double>(face_.size()) / static_cast<double>(points_.size());
+}
+
+Record PointsRecording::take() {
   Record out;
-  out.add("face", std::move(face));
-  out.add("bary", std::move(bary));
+  out.add("face", std::move(face_));
+  out.add("bary", std::move(bary_));
+  if (isPlaced_) out.add("position", std::move(position_));
   return out;
 }
 
+Record pointsRecord(const TriangleMesh& mesh, std::span<const SurfacePoint> points) {
+  return recorded(PointsRecording(mesh, points, false));
+}
+
 Record placedRecord(const TriangleMesh& mesh, std::span<const SurfacePoint> points) {
-  std::vector<Eigen::Vector3d> positions;
-  positions.reserve(points.size());
-  for (const SurfacePoint& p : points) positions.push_back(mesh.position(p));
-  Record out = pointsRecord(mesh, points);
-  out.add("position", std::move(positions));
-  return out;
+  return recorded(PointsRecording(mesh, points, true));
 }
 
 Record pathRecord(const TriangleMesh& mesh, std::span<const SurfacePoint> path) {
@@ -200,18 +251,15 @@ Record pathRecord(const TriangleMesh& mesh, std::span<const SurfacePoint> path) 
   return out;
 }
 
-Record diagramRecord(const TriangleMesh& mesh, Diagram diagram) {
-  Record out;
-  out.add("siteCount", diagram.siteCount);
-  out.add("faceLabel", inputFaceLabels(mesh, diagram.faceLabel));
-  out.add(piecesRecord(mesh, std::move(diagram)));
-  return out;
+Answer* diagramAnswer(std::shared_ptr<const TriangleMesh> mesh,
+                      std::shared_ptr<const Diagram> diagram) {
+  return new Answer{std::make_unique<DiagramRecording>(std::move(mesh), std::move(diagram)), {}};
 }
 
 Record changeRecord(const TriangleMesh& mesh, int label, DiagramChange change) {
   Record part;
   part.add("faceLabel", std::move(change.part.faceLabel));
-  part.add(piecesRecord(mesh, std::move(change.part)));
+  part.add(piecesRecord(mesh, change.part, placedRecord(mesh, change.part.points)));
 
   Record out;
   out.add("label", label);
@@ -221,15 +269,14 @@ Record changeRecord(const TriangleMesh& mesh, int label, DiagramChange change) {
   return out;
 }
 
-Record partitionRecord(const TriangleMesh& mesh, Partition partition,
+Record partitionRecord(const TriangleMesh& mesh, Partition partition, Record points,
                        std::vector<Eigen::Vector3d> corners) {
-  Record points = pointsRecord(mesh, partition.points);
   points.add("position", std::move(partition.positions));
 
   Record triangles;
   triangles.add("points", std::move(partition.triangles));
   triangles.add("label", std::move(partition.triangleLabel));
-  triangles.add("face", inputFaces(mesh, std::move(partition.triangleFace)));
+  triangles.add("face", std::move(partition.triangleFace));
   triangles.add("bary", std::move(corners));
 
   Record out;

@@ -4,6 +4,8 @@
 // are those of the input.
 #pragma once
 
+#include <Eigen/Core>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -17,19 +19,39 @@
 
 namespace gvd::abi {
 
+/// `SurfacePoints`, or `PlacedPoints` with their positions, made in slices.
+class PointsRecording {
+ public:
+  /// The mesh and the points must outlive this.
+  PointsRecording(const TriangleMesh& mesh, std::span<const SurfacePoint> points, bool isPlaced);
+  /// Works for `budget` units and lowers it by their number; true when all points are recorded.
+  bool step(long& budget);
+  /// The share of points that are recorded.
+  double progress() const;
+  Record take();
+
+ private:
+  const TriangleMesh& mesh_;
+  const std::span<const SurfacePoint> points_;
+  const bool isPlaced_;
+  std::vector<int> face_;
+  std::vector<Eigen::Vector3d> bary_, position_;
+};
+
 /// `SurfacePoints`.
 Record pointsRecord(const TriangleMesh& mesh, std::span<const SurfacePoint> points);
 /// `PlacedPoints`.
 Record placedRecord(const TriangleMesh& mesh, std::span<const SurfacePoint> points);
 /// `SurfacePath`.
 Record pathRecord(const TriangleMesh& mesh, std::span<const SurfacePoint> path);
-/// `DiagramData`.
-Record diagramRecord(const TriangleMesh& mesh, Diagram diagram);
+/// `DiagramData`, in slices.
+Answer* diagramAnswer(std::shared_ptr<const TriangleMesh> mesh,
+                      std::shared_ptr<const Diagram> diagram);
 /// `DiagramChange`, of the site that had or has the label.
 Record changeRecord(const TriangleMesh& mesh, int label, DiagramChange change);
-/// `Partition`; `corners` are those of its triangles, three each, in terms of the input triangles
-/// that these are part of.
-Record partitionRecord(const TriangleMesh& mesh, Partition partition,
+/// `Partition`, of which the points are recorded and the faces are those of the input; `corners`
+/// are those of its triangles, three each, in terms of the input triangles that these are part of.
+Record partitionRecord(const TriangleMesh& mesh, Partition partition, Record points,
                        std::vector<Eigen::Vector3d> corners);
 /// `PolygonMesh`.
 Record polygonRecord(const TriangleMesh& mesh, PolygonMesh polygons);
