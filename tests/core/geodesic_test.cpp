@@ -409,6 +409,8 @@ TEST(Windows, CrossInAFewBatchesOnGradedMeshes) {
   const auto batches = [](const TriangleMesh& mesh) {
     NearestBounds bounds(mesh);
     exact::WindowSweep sweep(mesh, bounds);
+    long enough = kUnlimited;
+    sweep.prepare(enough);
     exact::LabelState state;
     sweep.start(0, {0, {0.2, 0.3, 0.5}}, state);
     const long most = std::numeric_limits<long>::max();
@@ -447,6 +449,10 @@ TEST(Windows, LeaveNothingToTheNextSearchWhenMemoryRunsOut) {
   };
   constexpr long kEnough = 1L << 40;
   exact::WindowSweep fresh(mesh, bounds), used(mesh, bounds);
+  for (exact::WindowSweep* sweep : {&fresh, &used}) {
+    long enough = kUnlimited;
+    sweep->prepare(enough);
+  }
   const auto expected = search(fresh, farther, kEnough);
   EXPECT_LT(expected.first, 2);
   for (const long calls : {1, 10, 30}) {

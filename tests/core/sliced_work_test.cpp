@@ -6,14 +6,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "base/index_set.h"
+#include "base/sliced_loop.h"
 #include "diagram_checks.h"
 #include "distance/label_turns.h"
+#include "distance/reached_loop.h"
+#include "distance/reaching_labels.h"
 #include "gvd/curvature.h"
 #include "gvd/cvt.h"
 #include "gvd/dual.h"
@@ -122,6 +127,11 @@ TEST(SlicedWork, GoesOnWithoutBudget) {
 /// Distances that are known wherever they are required: no label ever has to spread.
 class KnownEverywhere final : public LabelSpread {
  public:
+  /// Every label has reached so many vertices.
+  explicit KnownEverywhere(int reached = 0) {
+    for (int v = 0; v < reached; ++v) reached_.push_back({v, true, 1.0 * v});
+  }
+  bool prepare(long& /*budget*/) override { return true; }
   void start(int /*label*/) override {}
   void resume(int /*label*/) override {}
   long require(int /*label*/, std::span<const int> /*faces*/) override { return 0; }
@@ -164,6 +174,36 @@ TEST(SlicedWork, ATurnOfManyRoundsIsInterrupted) {
   EXPECT_EQ(rounds, 100);
 }
 
+/// On a large mesh with a single site, its label has reached all vertices.
+TEST(SlicedWork, WhatALabelHasReachedIsGoneThroughInSlices) {
+  constexpr int kVertices = 5000;
+  const KnownEverywhere spread(kVertices);
+  const std::vector<int> labels = {0, 1};
+  ReachedLoop loop;
+  std::vector<std::array<int, 2>> visited;
+  int steps = 1;
+  const auto step = [&] {
+    long budget = 1;
+    return loop.run(spread, labels, budget, [&](int label, int i, const ReachedVertex& r) {
+      EXPECT_EQ(r.vertex, i);
+      visited.push_back({label, i});
+    });
+  };
+  for (; !step(); ++steps) EXPECT_LE(visited.size(), static_cast<size_t>(steps * kQuickRounds));
+  ASSERT_EQ(visited.size(), 2U * kVertices);
+  for (int i = 0; i < kVertices; ++i) {
+    EXPECT_EQ(visited[i], (std::array{0, i}));
+    EXPECT_EQ(visited[kVertices + i], (std::array{1, i}));
+  }
+
+  ReachingLabels reaching(kVertices);
+  int collections = 1;
+  for (long budget = 1; !reaching.collect(spread, 2, budget); budget = 1) ++collections;
+  EXPECT_GT(collections, 2 * kVertices / 16);
+  for (int v = 0; v < kVertices; ++v)
+    EXPECT_TRUE(std::ranges::equal(reaching[v], std::array{0, 1}));
+}
+
 /// These took a single step, and nothing else had its turn until the whole mesh was gone through.
 TEST(SlicedWork, NoStepGoesThroughTheWholeMesh) {
   const TriangleMesh mesh = shapes::grid(100, 100).mesh();
@@ -176,6 +216,12 @@ TEST(SlicedWork, NoStepGoesThroughTheWholeMesh) {
   EXPECT_GT(steps(startUniform(mesh, 1, 1)), faces / 64);
   const std::vector<double> density(mesh.vertexCount(), 1);
   EXPECT_GT(steps(startByDensity(mesh, density, 1, 1)), faces / 64);
+  IndexSet all(faces);
+  int count = 1;
+  for (long budget = 1; !all.addAll(budget); budget = 1) ++count;
+  EXPECT_GT(count, faces / 256);
+  EXPECT_EQ(all.size(), faces);
+  EXPECT_EQ(all.list(), all.sorted());
 }
 
 TEST(SlicedWork, ALongOutlineThatUsesUpTheBudgetLeavesNothingOut) {

@@ -4,10 +4,12 @@
 #pragma once
 
 #include <algorithm>
-#include <numeric>
+#include <cstddef>
 #include <span>
 #include <utility>
 #include <vector>
+
+#include "base/sliced_loop.h"
 
 namespace gvd {
 
@@ -26,11 +28,13 @@ class IndexSet {
     list_.push_back(i);
     return true;
   }
-  /// Makes it the set of all indices.
-  void addAll() {
-    std::fill(isIn_.begin(), isIn_.end(), true);
-    list_.resize(isIn_.size());
-    std::iota(list_.begin(), list_.end(), 0);
+  /// Makes an empty set the set of all indices, in slices; true when it is.
+  bool addAll(long& budget) {
+    constexpr long kIndicesPerUnit = 128;
+    list_.reserve(isIn_.size());
+    const std::size_t end = endOfSlice(list_.size(), isIn_.size(), budget, kIndicesPerUnit);
+    while (list_.size() < end) add(size());
+    return end == isIn_.size();
   }
   /// Empties the set, in time proportional to its size.
   void clear() {
@@ -57,8 +61,10 @@ class IndexSet {
 inline void makeSet(std::vector<int>& indices) {
   const auto added = std::is_sorted_until(indices.begin(), indices.end());
   std::sort(added, indices.end());
-  std::inplace_merge(indices.begin(), added, indices.end());
-  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+  std::vector<int> merged(indices.size());
+  std::merge(indices.begin(), added, added, indices.end(), merged.begin());
+  merged.erase(std::unique(merged.begin(), merged.end()), merged.end());
+  indices.swap(merged);
 }
 
 }  // namespace gvd

@@ -100,9 +100,11 @@ auto taken(std::optional<Part>& part) {
 /// work has overdrawn it.
 std::size_t endOfSlice(std::size_t begin, std::size_t count, long& budget, long perUnit);
 
-/// Lengthens a list to `count` items; true when it is that long.
+/// Lengthens a list to `count` items; true when it is that long. Not inlined, as the WebAssembly
+/// module would be larger.
 template <class Item>
-bool fillInSlices(std::vector<Item>& list, std::size_t count, const Item& value, long& budget) {
+[[gnu::noinline]] bool fillInSlices(std::vector<Item>& list, std::size_t count, const Item& value,
+                                    long& budget) {
   constexpr long kItemsPerUnit = 256;
   if (list.size() >= count) return true;
   list.reserve(count);

@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "base/sliced_loop.h"
+
 namespace gvd {
 
 /// A short list of items for each of many indices, all in one array. A list that grows beyond its
@@ -16,6 +18,8 @@ template <class Item>
 class SmallLists {
  public:
   explicit SmallLists(int count = 0) : lists_(count) {}
+  /// Lengthens this to `count` lists, in slices; true when there are as many.
+  bool addLists(size_t count, long& budget) { return fillInSlices(lists_, count, List(), budget); }
 
   std::span<const Item> operator[](int i) const {
     return {items_.data() + lists_[i].first, lists_[i].size};
@@ -47,15 +51,16 @@ class SmallLists {
   }
   void add(int i, Item item) { insert(i, lists_[i].size, item); }
 
-  /// Makes all lists empty, with room for `counts[i]` items in list i.
-  void allot(std::span<const int> counts) {
-    std::uint32_t first = 0;
-    for (size_t i = 0; i < counts.size(); ++i) {
-      lists_[i] = {first, 0, static_cast<std::uint32_t>(counts[i])};
-      first += counts[i];
-    }
-    items_.assign(first, Item());
+  /// Gives up all lists, each of which is then to be allotted; `total` is the room for all items.
+  void beginAllotting(size_t total) {
+    items_.clear();
+    items_.reserve(total);
     for (auto& free : free_) free.clear();
+  }
+  /// Makes a list empty, with room for `count` items.
+  void allot(int i, int count) {
+    lists_[i] = {static_cast<std::uint32_t>(items_.size()), 0, static_cast<std::uint32_t>(count)};
+    items_.resize(items_.size() + count);
   }
 
  private:

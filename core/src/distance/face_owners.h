@@ -26,11 +26,12 @@ class FaceOwners {
   };
 
   FaceOwners(const TriangleMesh& mesh, const SiteSet& sites, const NearestBounds& bounds)
-      : mesh_(mesh),
-        sites_(sites),
-        bounds_(bounds),
-        sole_(mesh.faceCount(), -1),
-        several_(mesh.faceCount()) {}
+      : mesh_(mesh), sites_(sites), bounds_(bounds) {}
+  /// Makes room, in slices; true when it is there.
+  bool prepare(long& budget) {
+    return fillInSlices(sole_, mesh_.faceCount(), -1, budget) &&
+           several_.addLists(mesh_.faceCount(), budget);
+  }
 
   /// The only owner of a face; -1 if no label reaches it, `kSeveral` if there are more.
   int sole(int face) const { return sole_[face]; }

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "distance/known_labels.h"
 
-#include <algorithm>
+#include <cstddef>
+#include <numeric>
 
 namespace gvd {
 
 KnownLabels::KnownLabels(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds,
                          LabelSpread& spread)
     : mesh_(mesh),
+      sites_(sites),
       bounds_(bounds),
       spread_(spread),
       owners_(mesh, sites, bounds),
-      lists_(mesh, spread, bounds),
+      lists_(spread, bounds),
       finding_(mesh, sites, bounds, spread, lists_, owners_),
       turns_(spread),
       closure_(mesh, spread, owners_, lists_),
@@ -32,7 +34,8 @@ void KnownLabels::noteLeaving(int label) {
 void KnownLabels::start(const LabelChange& change) {
   change_ = &change;
   finding_.start(change);
-  sequence_ = {};
+  atChanged_ = IndexSet(sites_.labelCount());
+  sequence_ = clearing_ = {};
 }
 
 bool KnownLabels::step(long& budget) {
@@ -52,7 +55,13 @@ bool KnownLabels::step(long& budget) {
         return isDone;
       },
       // 3. Lists.
-      [&] { collectLists(); }, [&] { return listLabels(budget); },
+      [&] { return change_->startsAll ? allotLists(budget) : clearLists(budget); },
+      [&] {
+        listed_ = atChanged_.sorted();
+        changedLabels_.insert(changedLabels_.end(), listed_.begin(), listed_.end());
+        makeSet(changedLabels_);
+      },
+      [&] { return listLabels(budget); },
       [&] {
         return loop_.run(changed.size(), budget, kQuickRounds,
                          [&](int i) { lists_.equalizeTies(changed[i]); });
@@ -65,46 +74,55 @@ bool KnownLabels::step(long& budget) {
       });
 }
 
-/// Clears the lists of changed vertices and collects the labels that may go into them.
-void KnownLabels::collectLists() {
-  if (change_->startsAll) {
-    listed_ = change_->started;
-    std::sort(listed_.begin(), listed_.end());
-    changedFaces_.addAll();
-    std::vector<int> counts(mesh_.vertexCount(), 0);
-    for (const int label : listed_)
-      for (const ReachedVertex& r : spread_.reached(label)) counts[r.vertex] += r.isFinal;
-    lists_.allot(counts);
-  } else {
-    listed_.clear();
-    for (const int v : finding_.changedVertices().list()) {
-      for (const LabelledDistance& d : lists_[v]) changedLabels_.push_back(d.label);
-      lists_.clear(v);
-      if (bounds_[v].label >= 0) listed_.push_back(bounds_[v].label);
-      mesh_.visitFaces(v, [&](int f) {
-        changedFaces_.add(f);
-        for (const FaceOwners::Owner& owner : owners_.several(f)) listed_.push_back(owner.label);
-      });
-    }
-    makeSet(listed_);
-  }
-  changedLabels_.insert(changedLabels_.end(), listed_.begin(), listed_.end());
-  makeSet(changedLabels_);
+/// Makes room in the lists for just the labels that come: where all labels start, these are all
+/// that have found a final distance.
+bool KnownLabels::allotLists(long& budget) {
+  const int vertices = mesh_.vertexCount();
+  return clearing_.run(
+      [&] {
+        for (const int label : change_->started) atChanged_.add(label);
+      },
+      [&] { return changedFaces_.addAll(budget); },
+      [&] { return fillInSlices(roomAt_, vertices, 0, budget); },
+      [&] {
+        return reachedLoop_.run(spread_, change_->started, budget,
+                                [&](int /*label*/, int /*i*/, const ReachedVertex& r) {
+                                  roomAt_[r.vertex] += r.isFinal;
+                                });
+      },
+      [&] { lists_.beginAllotting(std::accumulate(roomAt_.begin(), roomAt_.end(), size_t{0})); },
+      [&] {
+        return loop_.run(vertices, budget, kQuickRounds,
+                         [&](int v) { lists_.allot(v, roomAt_[v]); });
+      },
+      [&] { release(roomAt_); });
+}
+
+/// Clears the lists of changed vertices and collects the labels known there before, and those that
+/// may go into the lists.
+bool KnownLabels::clearLists(long& budget) {
+  const std::vector<int>& changed = finding_.changedVertices().list();
+  return loop_.run(changed.size(), budget, 8, [&](int i) { clearList(changed[i]); });
+}
+
+void KnownLabels::clearList(int vertex) {
+  for (const LabelledDistance& d : lists_[vertex]) atChanged_.add(d.label);
+  lists_.clear(vertex);
+  if (bounds_[vertex].label >= 0) atChanged_.add(bounds_[vertex].label);
+  mesh_.visitFaces(vertex, [&](int f) {
+    changedFaces_.add(f);
+    for (const FaceOwners::Owner& owner : owners_.several(f)) atChanged_.add(owner.label);
+  });
 }
 
 bool KnownLabels::listLabels(long& budget) {
   // If all labels have just spread, every final distance goes into a list.
   const bool isAllWanted = change_->startsAll;
-  return loop_.runWeighted(listed_.size(), budget, kQuickRounds, [&](size_t i) {
-    const int label = listed_[i];
-    const auto& reached = spread_.reached(label);
-    for (int r = 0; r < static_cast<int>(reached.size()); ++r) {
-      const auto& [vertex, isFinal, distance] = reached[r];
-      if (isFinal && (isAllWanted || (finding_.changedVertices().contains(vertex) &&
-                                      ownsPartAround(label, vertex))))
-        lists_.add(label, r);
-    }
-    return 1 + static_cast<long>(reached.size());
+  const IndexSet& changed = finding_.changedVertices();
+  return reachedLoop_.run(spread_, listed_, budget, [&](int label, int i, const ReachedVertex& r) {
+    if (r.isFinal &&
+        (isAllWanted || (changed.contains(r.vertex) && ownsPartAround(label, r.vertex))))
+      lists_.add(label, i);
   });
 }
 

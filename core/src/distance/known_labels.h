@@ -14,6 +14,7 @@
 #include "distance/label_turns.h"
 #include "distance/nearest_bounds.h"
 #include "distance/owner_finding.h"
+#include "distance/reached_loop.h"
 #include "distance/site_set.h"
 #include "gvd/triangle_mesh.h"
 
@@ -37,6 +38,11 @@ class KnownLabels {
   KnownLabels(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds,
               LabelSpread& spread);
 
+  /// Makes room, in slices; true when it is there. Before anything else.
+  bool prepare(long& budget) {
+    return owners_.prepare(budget) && lists_.prepare(mesh_.vertexCount(), budget);
+  }
+
   std::span<const LabelledDistance> operator[](int vertex) const { return lists_[vertex]; }
   /// The distance of a label, infinity if it is not known.
   double distance(int vertex, int label) const { return lists_.distance(vertex, label); }
@@ -58,12 +64,15 @@ class KnownLabels {
   const std::vector<int>& changedLabels() const { return changedLabels_; }
 
  private:
-  void collectLists();
+  bool allotLists(long& budget);
+  bool clearLists(long& budget);
+  void clearList(int vertex);
   bool listLabels(long& budget);
   void noteExtended();
   bool ownsPartAround(int label, int vertex) const;
 
   const TriangleMesh& mesh_;
+  const SiteSet& sites_;
   const NearestBounds& bounds_;
   const LabelSpread& spread_;
   FaceOwners owners_;
@@ -74,12 +83,15 @@ class KnownLabels {
 
   // The current change.
   const LabelChange* change_ = nullptr;
-  SlicedSequence sequence_;
+  SlicedSequence sequence_, clearing_;
   SlicedLoop loop_;
+  ReachedLoop reachedLoop_;
   double progress_ = 1;
   IndexSet changedFaces_;  ///< around changed vertices
   std::vector<int> changedLabels_;
-  std::vector<int> listed_;  ///< the labels that may be known at the changed vertices
+  std::vector<int> roomAt_;  ///< per vertex, the number of labels that come to it
+  IndexSet atChanged_{0};    ///< labels at changed vertices, before and after the change
+  std::vector<int> listed_;  ///< the same in order
 };
 
 }  // namespace gvd

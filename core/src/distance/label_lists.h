@@ -24,11 +24,12 @@ struct LabelAtVertex {
 /// `LabelSpread::reached`.
 class LabelLists {
  public:
-  LabelLists(const TriangleMesh& mesh, const LabelSpread& spread, const NearestBounds& bounds)
-      : spread_(spread),
-        bounds_(bounds),
-        distances_(mesh.vertexCount()),
-        indices_(mesh.vertexCount()) {}
+  LabelLists(const LabelSpread& spread, const NearestBounds& bounds)
+      : spread_(spread), bounds_(bounds) {}
+  /// Makes room for the lists of so many vertices, in slices; true when it is there.
+  bool prepare(int vertexCount, long& budget) {
+    return distances_.addLists(vertexCount, budget) && indices_.addLists(vertexCount, budget);
+  }
 
   std::span<const LabelledDistance> operator[](int vertex) const { return distances_[vertex]; }
   /// The distance of a label, infinity if it is not known.
@@ -45,10 +46,15 @@ class LabelLists {
   /// The same of each label in the list.
   std::span<const int> reachedIndices(int vertex) const { return indices_[vertex]; }
 
-  /// Empties all lists, with room for `counts[v]` labels at vertex v.
-  void allot(std::span<const int> counts) {
-    distances_.allot(counts);
-    indices_.allot(counts);
+  /// Gives up all lists, each of which is then to be allotted; `total` is the room for all labels.
+  void beginAllotting(size_t total) {
+    distances_.beginAllotting(total);
+    indices_.beginAllotting(total);
+  }
+  /// Makes a list empty, with room for `count` labels.
+  void allot(int vertex, int count) {
+    distances_.allot(vertex, count);
+    indices_.allot(vertex, count);
   }
   void clear(int vertex) {
     distances_.clear(vertex);

@@ -2,8 +2,6 @@
 #include "distance/owner_finding.h"
 
 #include <algorithm>
-#include <set>
-#include <utility>
 
 namespace gvd {
 
@@ -30,34 +28,32 @@ void OwnerFinding::addFacesOfSite(int label) {
 
 void OwnerFinding::start(const LabelChange& change) {
   change_ = &change;
-  sequence_ = {};
+  sequence_ = affecting_ = {};
 }
 
 bool OwnerFinding::step(long& budget) {
   return sequence_.run(
-      [&] { return markFinal(budget); }, [&] { findAffected(); }, [&] { return findTies(budget); },
+      [&] { return markFinal(change_->started, budget); },
+      [&] { return markFinal(change_->resumed, budget); },
+      [&] { return change_->startsAll ? affectAll(budget) : findAffected(budget); },
+      [&] { return findTies(budget); },
       [&] {
         return loop_.run(affectedFaces_.size(), budget, kQuickRounds,
                          [&](int i) { owners_.reset(affectedFaces_.list()[i], requirements_); });
       },
-      [&] { addTies(); });
+      [&] {
+        return loop_.run(ties_.size(), budget, kQuickRounds, [&](int i) { addTie(ties_[i]); });
+      });
 }
 
 /// Marks the distances that are final because the label owns the vertex or ties with its owner.
-bool OwnerFinding::markFinal(long& budget) {
-  const std::vector<int>&started = change_->started, &resumed = change_->resumed;
-  return loop_.runWeighted(started.size() + resumed.size(), budget, kQuickRounds, [&](size_t i) {
-    const int label = i < started.size() ? started[i] : resumed[i - started.size()];
-    const std::vector<ReachedVertex>& reached = spread_.reached(label);
-    for (size_t k = 0; k < reached.size(); ++k) {
-      const ReachedVertex& r = reached[k];
-      if (!bounds_.ties().isAtMost(r.distance, bounds_[r.vertex].distance)) continue;
-      noteTie(r.vertex, label);
-      if (r.isFinal) continue;
-      spread_.markFinal(label, static_cast<int>(k));
-      if (!change_->startsAll) newlyFinal_.push_back(r.vertex);
-    }
-    return 1 + static_cast<long>(reached.size());
+bool OwnerFinding::markFinal(std::span<const int> labels, long& budget) {
+  return reachedLoop_.run(spread_, labels, budget, [&](int label, int i, const ReachedVertex& r) {
+    if (!bounds_.ties().isAtMost(r.distance, bounds_[r.vertex].distance)) return;
+    noteTie(r.vertex, label);
+    if (r.isFinal) return;
+    spread_.markFinal(label, i);
+    if (!change_->startsAll) newlyFinal_.push_back(r.vertex);
   });
 }
 
@@ -69,43 +65,61 @@ void OwnerFinding::noteTie(int vertex, int label) {
   owner = std::min(owner, label);
 }
 
-/// Finds the faces whose owners may have changed: those around vertices whose owner is gone, or
-/// where a label has become owner or ties with it.
-void OwnerFinding::findAffected() {
-  if (change_->startsAll) {
-    affectedFaces_.addAll();
-    changedVertices_.addAll();
-    return;
-  }
-  const auto addFacesAround = [&](std::span<const int> vertices) {
-    for (const int v : vertices) mesh_.visitFaces(v, [&](int f) { affectedFaces_.add(f); });
-  };
-  addFacesAround(change_->resetVertices);
-  addFacesAround(newlyFinal_);
-  for (const int label : change_->started) addFacesOfSite(label);
-  for (const int f : affectedFaces_.list())
-    for (int h = 3 * f; h < 3 * f + 3; ++h) changedVertices_.add(mesh_.tail(h));
-  dropInterpolated();
+/// Where all labels start, the owners of all faces may have changed.
+bool OwnerFinding::affectAll(long& budget) {
+  return affecting_.run([&] { affectedFaces_.clear(); },
+                        [&] { return affectedFaces_.addAll(budget); },
+                        [&] { return changedVertices_.addAll(budget); });
 }
 
+/// Finds the faces whose owners may have changed: those around vertices whose owner is gone, or
+/// where a label has become owner or ties with it.
+///
 /// Drops the owners found by interpolation in all faces around changed vertices: they depend on the
 /// distances at the corners of their faces. A label that was dropped from a face may not be known
 /// at the corners of that face any more, so these corners count as changed, too, and so on. The
 /// same goes for labels listed there with the distance of the dropped one (`equalizeTies`).
-void OwnerFinding::dropInterpolated() {
-  std::vector<LabelAtVertex> doubtful;
-  std::set<std::pair<int, int>> isDoubtful;
-  const auto doubt = [&](int vertex, int label) {
-    if (isDoubtful.emplace(vertex, label).second) doubtful.push_back({vertex, label});
+bool OwnerFinding::findAffected(long& budget) {
+  const auto forEach = [&](const std::vector<int>& list, auto body) {
+    return loop_.run(list.size(), budget, 8, [&](int i) { body(list[i]); });
   };
-  for (const int v : changedVertices_.list())
-    mesh_.visitFaces(v, [&](int f) {
-      if (affectedFaces_.contains(f)) return;
-      for (const FaceOwners::Owner& owner : owners_.several(f))
-        if (owner.isInterpolated) doubt(v, owner.label);
-    });
-  for (size_t i = 0; i < doubtful.size(); ++i) {
-    const auto [vertex, label] = doubtful[i];
+  const auto addFacesAround = [&](int v) {
+    mesh_.visitFaces(v, [&](int f) { affectedFaces_.add(f); });
+  };
+  return affecting_.run(
+      [&] { return forEach(change_->resetVertices, addFacesAround); },
+      [&] { return forEach(newlyFinal_, addFacesAround); },
+      [&] {
+        for (const int label : change_->started) addFacesOfSite(label);
+      },
+      [&] {
+        return forEach(affectedFaces_.list(), [&](int f) {
+          for (int h = 3 * f; h < 3 * f + 3; ++h) changedVertices_.add(mesh_.tail(h));
+        });
+      },
+      [&] { return forEach(changedVertices_.list(), [&](int v) { doubtInterpolated(v); }); },
+      [&] { dropDoubtful(); });
+}
+
+/// Notes that a label may not be known at a vertex any more.
+void OwnerFinding::doubt(int vertex, int label) {
+  if (isDoubtful_.emplace(vertex, label).second) doubtful_.push_back({vertex, label});
+}
+
+/// Doubts the owners found by interpolation in the faces around a vertex.
+void OwnerFinding::doubtInterpolated(int vertex) {
+  mesh_.visitFaces(vertex, [&](int f) {
+    if (affectedFaces_.contains(f)) return;
+    for (const FaceOwners::Owner& owner : owners_.several(f))
+      if (owner.isInterpolated) doubt(vertex, owner.label);
+  });
+}
+
+/// Drops doubtful labels from the faces around their vertices, and doubts them at the other
+/// corners.
+void OwnerFinding::dropDoubtful() {
+  for (size_t i = 0; i < doubtful_.size(); ++i) {
+    const auto [vertex, label] = doubtful_[i];
     changedVertices_.add(vertex);
     const double distance = lists_.distance(vertex, label);
     for (const LabelledDistance& d : lists_[vertex])
@@ -115,6 +129,8 @@ void OwnerFinding::dropInterpolated() {
       for (int h = 3 * f; h < 3 * f + 3; ++h) doubt(mesh_.tail(h), label);
     });
   }
+  doubtful_.clear();
+  isDoubtful_.clear();
 }
 
 /// Finds the labels that tie at a changed vertex among those that were known there before.
@@ -132,12 +148,11 @@ bool OwnerFinding::findTies(long& budget) {
   });
 }
 
-/// Makes labels that tie with the owner of a vertex owners of the affected faces around it.
-void OwnerFinding::addTies() {
-  for (const auto& [vertex, label] : ties_)
-    mesh_.visitFaces(vertex, [&, tie = label](int f) {
-      if (affectedFaces_.contains(f)) owners_.add(f, tie, false, requirements_);
-    });
+/// Makes a label that ties with the owner of a vertex an owner of the affected faces around it.
+void OwnerFinding::addTie(const LabelAtVertex& tie) {
+  mesh_.visitFaces(tie.vertex, [&](int f) {
+    if (affectedFaces_.contains(f)) owners_.add(f, tie.label, false, requirements_);
+  });
 }
 
 }  // namespace gvd

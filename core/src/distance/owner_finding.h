@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <set>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "base/index_set.h"
@@ -11,6 +14,7 @@
 #include "distance/label_spread.h"
 #include "distance/label_turns.h"
 #include "distance/nearest_bounds.h"
+#include "distance/reached_loop.h"
 #include "distance/site_set.h"
 #include "gvd/triangle_mesh.h"
 
@@ -51,12 +55,15 @@ class OwnerFinding {
 
  private:
   void addFacesOfSite(int label);
-  bool markFinal(long& budget);
+  bool markFinal(std::span<const int> labels, long& budget);
   void noteTie(int vertex, int label);
-  void findAffected();
-  void dropInterpolated();
+  bool affectAll(long& budget);
+  bool findAffected(long& budget);
+  void doubt(int vertex, int label);
+  void doubtInterpolated(int vertex);
+  void dropDoubtful();
   bool findTies(long& budget);
-  void addTies();
+  void addTie(const LabelAtVertex& tie);
 
   const TriangleMesh& mesh_;
   const SiteSet& sites_;
@@ -67,12 +74,15 @@ class OwnerFinding {
 
   // The current change.
   const LabelChange* change_ = nullptr;
-  SlicedSequence sequence_;
+  SlicedSequence sequence_, affecting_;
   SlicedLoop loop_;
+  ReachedLoop reachedLoop_;
   std::vector<int> newlyFinal_;      ///< vertices where a distance has become final
   std::vector<LabelAtVertex> ties_;  ///< labels that are as near as the owner
   IndexSet affectedFaces_;           ///< faces whose owners may have changed
   IndexSet changedVertices_;
+  std::vector<LabelAtVertex> doubtful_;  ///< labels that may not be known any more
+  std::set<std::pair<int, int>> isDoubtful_;
   std::vector<Requirement> requirements_;
 };
 

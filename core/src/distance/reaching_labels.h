@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/index_set.h"
+#include "base/sliced_loop.h"
 #include "base/small_lists.h"
 #include "distance/label_spread.h"
 
@@ -14,16 +15,23 @@ namespace gvd {
 /// collected at the beginning of a change, from what labels have reached since the last one.
 class ReachingLabels {
  public:
-  explicit ReachingLabels(int vertexCount) : lists_(vertexCount) {}
+  explicit ReachingLabels(int vertexCount) : vertexCount_(vertexCount) {}
 
-  /// Adds what the labels below `labelCount` have reached since the last call.
-  void collect(const LabelSpread& spread, int labelCount) {
+  /// Adds what the labels below `labelCount` have reached since the last change, in slices; true
+  /// when that is done.
+  bool collect(const LabelSpread& spread, int labelCount, long& budget) {
+    constexpr long kVerticesPerUnit = 8;
+    if (!lists_.addLists(vertexCount_, budget)) return false;
     collected_.resize(labelCount, 0);
-    for (int label = 0; label < labelCount; ++label) {
-      const auto& reached = spread.reached(label);
-      for (size_t& i = collected_[label]; i < reached.size(); ++i)
-        lists_.add(reached[i].vertex, label);
+    for (; next_ < labelCount; ++next_) {
+      const auto& reached = spread.reached(next_);
+      size_t& i = collected_[next_];
+      const size_t end = endOfSlice(i, reached.size(), budget, kVerticesPerUnit);
+      for (; i < end; ++i) lists_.add(reached[i].vertex, next_);
+      if (end < reached.size()) return false;
     }
+    next_ = 0;
+    return true;
   }
   /// Removes some labels. Call before the spread forgets them.
   void remove(const LabelSpread& spread, std::span<const int> labels) {
@@ -37,8 +45,10 @@ class ReachingLabels {
   std::span<const int> operator[](int vertex) const { return lists_[vertex]; }
 
  private:
+  const int vertexCount_;
   SmallLists<int> lists_;
   std::vector<size_t> collected_;  ///< per label, how many of the vertices it has reached
+  int next_ = 0;                   ///< label to collect
 };
 
 }  // namespace gvd

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "base/grouping.h"
 #include "distance/dgpc/unfolding_spread.h"
 #include "distance/exact/window_spread.h"
 #include "gvd/error.h"
@@ -55,13 +56,18 @@ SiteDistances::SiteDistances(const TriangleMesh& mesh, Metric metric)
 void SiteDistances::change(std::span<const SiteChange> changes) {
   for (const SiteChange& c : changes)
     if (c.site) onMesh(mesh_, *c.site, "site " + std::to_string(c.label) + ": ");
+  changes_.assign(changes.begin(), changes.end());
   change_ = {};
   lowering_.beginChange();
   forgottenAt_.clear();
   known_.beginChange();
-  if (sites_.count() > 0) reaching_.collect(*spread_, sites_.labelCount());
+  sequence_ = {};
+}
+
+/// Removes and inserts sites.
+void SiteDistances::makeChanges() {
   std::vector<int> leaving;
-  for (const SiteChange& c : changes)
+  for (const SiteChange& c : changes_)
     if (sites_.contains(c.label)) leaving.push_back(c.label);
   forget(leaving);
   for (const int label : leaving) {
@@ -69,33 +75,32 @@ void SiteDistances::change(std::span<const SiteChange> changes) {
     sites_.remove(label);
     edgeBounds_.remove(label, site);
   }
-  for (const SiteChange& c : changes) {
+  for (const SiteChange& c : changes_) {
     if (!c.site) continue;
     sites_.insert(c.label, onMesh(mesh_, *c.site));
     edgeBounds_.insert(c.label);
     change_.started.push_back(c.label);
   }
-  sequence_ = {};
 }
 
 /// Forgets the distances of some labels. Other labels that have reached their vertices may have to
 /// go on, so they are resumed: the neighbours, and labels that tie with a neighbour farther on.
 void SiteDistances::forget(std::span<const int> labels) {
+  IndexSet resumed(sites_.labelCount());
   for (const int label : labels) {
     known_.noteLeaving(label);
     for (const ReachedVertex& r : spread_->reached(label)) {
       if (!r.isFinal) continue;
       // Once per vertex, even if all labels reach it and all are forgotten.
-      if (forgottenAt_.add(r.vertex)) {
-        const auto reaching = reaching_[r.vertex];
-        change_.resumed.insert(change_.resumed.end(), reaching.begin(), reaching.end());
-      }
+      if (forgottenAt_.add(r.vertex))
+        for (const int other : reaching_[r.vertex]) resumed.add(other);
       LabelledDistance& nearest = bounds_[r.vertex];
       if (nearest.label < 0 || !bounds_.ties().isAtMost(r.distance, nearest.distance)) continue;
       nearest = {};
       change_.resetVertices.push_back(r.vertex);
     }
   }
+  change_.resumed.insert(change_.resumed.end(), resumed.list().begin(), resumed.list().end());
   makeSet(change_.resumed);
   reaching_.remove(*spread_, labels);
   spread_->remove(labels);
@@ -103,6 +108,11 @@ void SiteDistances::forget(std::span<const int> labels) {
 
 bool SiteDistances::step(long& budget) {
   return sequence_.run(
+      [&] { return spread_->prepare(budget) && known_.prepare(budget); },
+      [&] {
+        return sites_.count() == 0 || reaching_.collect(*spread_, sites_.labelCount(), budget);
+      },
+      [&] { makeChanges(); },
       // 1. Bounds, and which labels start or resume because of them.
       [&] { return edgeBounds_.step(budget); }, [&] { restartOutdated(); }, [&] { orderLabels(); },
       // 2. Spread.
@@ -121,10 +131,10 @@ double SiteDistances::progress() const {
 void SiteDistances::restartOutdated() {
   if (!spread_->dependsOnEdgeBounds()) return;
   if (sites_.count() == static_cast<int>(change_.started.size())) return;
-  std::vector<int> outdated;
+  IndexSet reaching(sites_.labelCount());
   for (const int v : edgeBounds_.changed())
-    outdated.insert(outdated.end(), reaching_[v].begin(), reaching_[v].end());
-  makeSet(outdated);
+    for (const int label : reaching_[v]) reaching.add(label);
+  const std::vector<int> outdated = reaching.sorted();
   forget(outdated);
   change_.started.insert(change_.started.end(), outdated.begin(), outdated.end());
 }
@@ -132,9 +142,11 @@ void SiteDistances::restartOutdated() {
 /// Puts neighbouring labels in succession, so that the memory they touch is still in the cache.
 /// Labels that start do not resume, too.
 void SiteDistances::orderLabels() {
-  std::sort(change_.started.begin(), change_.started.end(), [&](int a, int b) {
-    return std::pair(sites_[a].face, a) < std::pair(sites_[b].face, b);
-  });
+  std::vector<KeyedItem> places;
+  for (const int label : change_.started) places.push_back({sites_[label].face, label, label});
+  std::sort(places.begin(), places.end());
+  std::transform(places.begin(), places.end(), change_.started.begin(),
+                 [](const KeyedItem& place) { return place.back(); });
   change_.hasStarted.assign(sites_.labelCount(), false);
   for (const int label : change_.started) change_.hasStarted[label] = true;
   change_.startsAll = sites_.count() == static_cast<int>(change_.started.size());

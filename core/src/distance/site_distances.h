@@ -79,6 +79,7 @@ class SiteDistances final : public DistanceField {
 
  private:
   class DistancesAtPoints;
+  void makeChanges();
   void forget(std::span<const int> labels);
   void restartOutdated();
   void orderLabels();
@@ -95,6 +96,7 @@ class SiteDistances final : public DistanceField {
   KnownLabels known_;
 
   // The current change.
+  std::vector<SiteChange> changes_;
   SlicedSequence sequence_;
   LabelChange change_;
   IndexSet forgottenAt_;  ///< vertices where a label was forgotten

@@ -51,13 +51,13 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
   }
 
   bool advance(long budget) override {
-    return sequence_.run([&] { return disks_.prepare(budget); },
-                         [&] { return sumAreas(mesh_, sums_, budget); },
-                         [&] { return addAll(budget); },
-                         [&] {
-                           return count_ || runPart(covering_, budget, mesh_, radius_,
-                                                    std::numeric_limits<size_t>::max(), points_);
-                         });
+    return sequence_.run(
+        [&] { return sweep_.prepare(budget); }, [&] { return disks_.prepare(budget); },
+        [&] { return sumAreas(mesh_, sums_, budget); }, [&] { return addAll(budget); },
+        [&] {
+          return count_ || runPart(covering_, budget, mesh_, radius_,
+                                   std::numeric_limits<size_t>::max(), points_);
+        });
   }
   double progress() const override {
     return count_.value_or(0) > 0 ? static_cast<double>(points_.size()) / *count_

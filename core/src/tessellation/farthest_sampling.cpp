@@ -41,6 +41,7 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
             queue_.push({kInfinity, -v});
           });
         },
+        [&] { return sweep_.prepare(budget); },
         [&] { return count_ == 0 || sumAreas(mesh_, sums_, budget); },
         [&] {
           std::mt19937_64 random(seed_);

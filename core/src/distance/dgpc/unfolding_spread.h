@@ -25,6 +25,7 @@ class UnfoldingSpread final : public LabelSpread {
   UnfoldingSpread(const TriangleMesh& mesh, const SiteSet& sites, const EdgeBounds& edgeBounds,
                   NearestBounds& bounds);
 
+  bool prepare(long& budget) override { return sweep_.prepare(budget); }
   void start(int label) override;
   void resume(int label) override;
   long require(int label, std::span<const int> faces) override;

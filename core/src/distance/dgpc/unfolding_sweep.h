@@ -13,6 +13,7 @@
 
 #include "base/bucket_queue.h"
 #include "base/plane.h"
+#include "base/sliced_loop.h"
 #include "gvd/geodesic.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
@@ -84,9 +85,11 @@ class UnfoldingSweep {
   using Reach = std::function<double(int vertex)>;
 
   explicit UnfoldingSweep(const TriangleMesh& mesh)
-      : mesh_(mesh),
-        vertices_(mesh.vertexCount()),
-        queue_(kBucketsPerEdge / mesh.shortEdgeLength()) {}
+      : mesh_(mesh), queue_(kBucketsPerEdge / mesh.shortEdgeLength()) {}
+  /// Allocates the working memory, in slices; true when it is there. Before anything else.
+  bool prepare(long& budget) {
+    return fillInSlices(vertices_, mesh_.vertexCount(), Vertex(), budget);
+  }
 
   /// Begins with a site and forgets the previous one.
   void start(const SurfacePoint& site, Reach reach);

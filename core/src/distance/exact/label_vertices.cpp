@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "distance/exact/label_vertices.h"
 
+#include "base/sliced_loop.h"
 #include "distance/exact/fan_behind.h"
 
 namespace gvd::exact {
 
-LabelVertices::LabelVertices(const TriangleMesh& mesh) : all_(mesh.vertexCount()) {
-  for (int v = 0; v < mesh.vertexCount(); ++v) all_[v].isSaddle = isSaddle(mesh, v);
+bool LabelVertices::prepare(long& budget) {
+  constexpr long kVerticesPerUnit = 16;
+  const std::size_t count = mesh_.vertexCount();
+  all_.reserve(count);
+  const std::size_t end = endOfSlice(all_.size(), count, budget, kVerticesPerUnit);
+  while (all_.size() < end) {
+    const int v = static_cast<int>(all_.size());
+    all_.emplace_back().isSaddle = isSaddle(mesh_, v);
+  }
+  return end == count;
 }
 
 void LabelVertices::add(int v) {

@@ -27,7 +27,9 @@ class LabelVertices {
     bool isSaddle = false;  ///< of the mesh, whatever the label
   };
 
-  explicit LabelVertices(const TriangleMesh& mesh);
+  explicit LabelVertices(const TriangleMesh& mesh) : mesh_(mesh) {}
+  /// Makes room, in slices; true when it is there.
+  bool prepare(long& budget);
 
   /// Begins with another label, which has reached no vertex.
   void clear() {
@@ -61,6 +63,7 @@ class LabelVertices {
  private:
   void add(int v);
 
+  const TriangleMesh& mesh_;
   std::uint64_t epoch_ = 0;
   std::vector<Vertex> all_;
   std::vector<int> reached_;

@@ -49,7 +49,8 @@ class PathSearch final : public SlicedWork<std::vector<SurfacePoint>> {
 
   bool advance(long budget) override {
     const bool isConnected = mesh_.component(from_.face) == mesh_.component(to_.face);
-    isDone_ = !isConnected || sequence_.run([&] { return boundByEdges(budget); },
+    isDone_ = !isConnected || sequence_.run([&] { return sweep_.prepare(budget); },
+                                            [&] { return boundByEdges(budget); },
                                             [&] { startSearch(mostByEdges() * (1 + kSlack)); },
                                             [&] { return sweep_.step(budget); });
     farthest_ = std::max(farthest_, sweep_.front());

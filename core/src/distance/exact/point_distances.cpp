@@ -84,6 +84,7 @@ std::vector<double> PointDistances::result() {
 bool PointDistances::spread(long& budget) {
   if (!open_.empty() && !sweep_)
     sweep_ = spare_ ? std::move(spare_) : std::make_unique<WindowSweep>(mesh_, bounds_);
+  if (sweep_ && !sweep_->prepare(budget)) return false;
   while (doneCount_ < open_.size()) {
     if (stage_ == Stage::kNone) startLabel();
     if (!sweep_->step(budget)) return false;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/prefetch.h"
+#include "base/sliced_loop.h"
 #include "distance/exact/window.h"
 
 namespace gvd::exact {
@@ -30,7 +31,8 @@ class WindowLists {
     std::span<const Window> windows() const { return {first, static_cast<size_t>(count)}; }
   };
 
-  explicit WindowLists(int halfedgeCount) : lists_(halfedgeCount) {}
+  /// Lengthens this to `count` lists, in slices; true when there are as many.
+  bool addLists(size_t count, long& budget) { return fillInSlices(lists_, count, List(), budget); }
 
   bool isEmpty(int halfedge) const { return lists_[halfedge].count == 0; }
   std::span<const Window> operator[](int halfedge) const { return lists_[halfedge].windows(); }

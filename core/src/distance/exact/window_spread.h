@@ -22,6 +22,7 @@ class WindowSpread final : public LabelSpread {
  public:
   WindowSpread(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds);
 
+  bool prepare(long& budget) override { return sweep_.prepare(budget); }
   void start(int label) override;
   void resume(int label) override;
   long require(int label, std::span<const int> faces) override;

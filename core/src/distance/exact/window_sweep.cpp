@@ -44,8 +44,11 @@ WindowSweep::WindowSweep(const TriangleMesh& mesh, NearestBounds& bounds)
       required_(mesh.boundingDiagonal()),
       search_(bounds.ties()),
       vertices_(mesh),
-      windows_(mesh.halfedgeCount()),
       queue_(kBucketsPerEdge / mesh.shortEdgeLength()) {}
+
+bool WindowSweep::prepare(long& budget) {
+  return vertices_.prepare(budget) && windows_.addLists(mesh_.halfedgeCount(), budget);
+}
 
 // --- One label ---------------------------------------------------------------------------------
 

@@ -49,6 +49,8 @@ class WindowSweep {
  public:
   /// Reads `bounds`, and lowers them to the distances that labels find.
   WindowSweep(const TriangleMesh& mesh, NearestBounds& bounds);
+  /// Allocates the working memory, in slices; true when it is there. Before anything else.
+  bool prepare(long& budget);
 
   /// Begins to spread a new label, while no other label is nearer.
   void start(int label, const SurfacePoint& site, LabelState& state);
