@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <memory>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "base/grouping.h"
@@ -12,7 +14,6 @@
 #include "distance/site_set.h"
 #include "gvd/geodesic.h"
 #include "gvd/sliced_work.h"
-#include "mesh/place_map.h"
 
 namespace gvd::exact {
 
@@ -28,7 +29,14 @@ class FoundDistances {
   void remove(int label);
 
  private:
-  std::vector<PlaceMap<double>> ofLabel_;
+  struct Order {
+    bool operator()(const SurfacePoint& a, const SurfacePoint& b) const {
+      return std::tie(a.face, a.bary[0], a.bary[1], a.bary[2]) <
+             std::tie(b.face, b.bary[0], b.bary[1], b.bary[2]);
+    }
+  };
+  /// Per label, by point: a point on an edge is another one in the face beyond.
+  std::vector<std::map<SurfacePoint, double, Order>> ofLabel_;
 };
 
 /// The distances of labels at many points that are no vertices. Windows that have crossed faces are
