@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "base/index_set.h"
-#include "mesh/place_map.h"
 
 namespace gvd {
 namespace {
@@ -18,10 +17,15 @@ namespace {
 /// Numbers places, each once: two are the same if their faces and coordinates are equal.
 class PlaceIndex {
  public:
+  explicit PlaceIndex(size_t faceCount) : lastIn_(faceCount, -1) {}
+
   int add(const SurfacePoint& place) {
-    const auto [entry, isNew] = index_.try_emplace(place, static_cast<int>(places_.size()));
-    if (isNew) places_.push_back(place);
-    return entry->second;
+    for (int i = lastIn_[place.face]; i >= 0; i = before_[i])
+      if (places_[i].bary == place.bary) return i;
+    const int added = static_cast<int>(places_.size());
+    places_.push_back(place);
+    before_.push_back(std::exchange(lastIn_[place.face], added));
+    return added;
   }
 
   std::vector<int> addAll(std::span<const SurfacePoint> places) {
@@ -33,8 +37,9 @@ class PlaceIndex {
   std::vector<SurfacePoint> take() { return std::move(places_); }
 
  private:
-  PlaceMap<int> index_;
   std::vector<SurfacePoint> places_;
+  std::vector<int> lastIn_;  ///< per face, -1: none
+  std::vector<int> before_;  ///< the place in the same face that was added before, or -1
 };
 
 /// Copies the wanted pieces of a diagram and numbers their points anew.
@@ -226,7 +231,7 @@ const std::vector<int>& DiagramPieces::regionTriangles(int label) {
 
 Diagram DiagramPieces::diagram() const {
   Diagram out;
-  PlaceIndex points;
+  PlaceIndex points(faceLabel_.size());
   out.siteCount = static_cast<int>(regions_.size());
   for (int a = 0; a < arcs_.limit(); ++a) {
     if (!arcs_.isUsed(a)) continue;

@@ -173,7 +173,7 @@ export interface DiagramChange {
   label: number;
   /** The regions that may differ, ascending. */
   labels: Int32Array<ArrayBuffer>;
-  /** The input triangles that may differ; `part` has all cells of each. */
+  /** The input triangles that may differ, ascending; `part` has all cells of each. */
   faces: Int32Array<ArrayBuffer>;
   /**
    * The arrays that replace everything the diagram had of these regions and triangles. Points have

@@ -68,10 +68,11 @@ function isReplaced(first: DiagramChange, second: DiagramChange): boolean {
   return isSubset(first.labels, second.labels) && isSubset(first.faces, second.faces);
 }
 
+/** Whether an ascending list contains another one. */
 function isSubset(some: Int32Array, all: Int32Array): boolean {
-  if (some.length > all.length) return false;
-  const set = new Set(all);
-  return some.every((each) => set.has(each));
+  let found = 0;
+  for (const each of all) if (each === some[found]) ++found;
+  return found === some.length;
 }
 
 /** The arrays of a diagram or of a change's part, without the values per label and face. */
@@ -267,15 +268,17 @@ class Merge {
 
 /** By label or face, which of several changes was the last to replace its pieces. */
 class LastChange {
-  readonly #order = new Map<number, number>();
+  readonly #order: Int32Array;
 
+  /** Of the keys that each change has replaced, ascending. */
   constructor(changes: readonly Int32Array[]) {
-    for (const [i, keys] of changes.entries()) for (const key of keys) this.#order.set(key, i + 1);
+    this.#order = new Int32Array(Math.max(0, ...changes.map((keys) => (keys.at(-1) ?? -1) + 1)));
+    for (const [i, keys] of changes.entries()) for (const key of keys) this.#order[key] = i + 1;
   }
 
   /** The changes count from 1; 0 if none did. */
   of(key: number): number {
-    return this.#order.get(key) ?? 0;
+    return this.#order[key] ?? 0;
   }
 }
 
