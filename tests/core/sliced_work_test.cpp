@@ -202,6 +202,10 @@ TEST(SlicedWork, WhatALabelHasReachedIsGoneThroughInSlices) {
   EXPECT_GT(collections, 2 * kVertices / 16);
   for (int v = 0; v < kVertices; ++v)
     EXPECT_TRUE(std::ranges::equal(reaching[v], std::array{0, 1}));
+  int removals = 1;
+  for (long budget = 1; !reaching.remove(spread, labels, budget); budget = 1) ++removals;
+  EXPECT_GT(removals, 2 * kVertices / 64);
+  for (int v = 0; v < kVertices; ++v) EXPECT_TRUE(reaching[v].empty());
 }
 
 /// These took a single step, and nothing else had its turn until the whole mesh was gone through.

@@ -28,7 +28,7 @@ void KnownLabels::beginChange() {
 
 void KnownLabels::noteLeaving(int label) {
   changedLabels_.push_back(label);
-  finding_.noteLeaving(label);
+  finding_.addFacesOfSite(label);
 }
 
 void KnownLabels::start(const LabelChange& change) {
@@ -90,7 +90,7 @@ bool KnownLabels::allotLists(long& budget) {
                                   roomAt_[r.vertex] += r.isFinal;
                                 });
       },
-      [&] { lists_.beginAllotting(std::accumulate(roomAt_.begin(), roomAt_.end(), size_t{0})); },
+      [&] { lists_.beginAllotting(std::accumulate(roomAt_.begin(), roomAt_.end(), int64_t{0})); },
       [&] {
         return loop_.run(vertices, budget, kQuickRounds,
                          [&](int v) { lists_.allot(v, roomAt_[v]); });

@@ -53,6 +53,8 @@ class KnownLabels {
   /// Notes what may change without a label. Call before the spread forgets the label and before its
   /// site is removed.
   void noteLeaving(int label);
+  /// The same of each vertex where its distance is final.
+  void noteLeavingFrom(int vertex, int label) { finding_.noteLeavingFrom(vertex, label); }
   /// Begins to find the known labels, after labels have spread. `change` must outlive the work.
   void start(const LabelChange& change);
   /// Works on at most `budget` units and lowers it by their number; true when all is known.

@@ -13,13 +13,10 @@ void OwnerFinding::beginChange() {
   requirements_.clear();
 }
 
-void OwnerFinding::noteLeaving(int label) {
-  for (const ReachedVertex& r : spread_.reached(label))
-    if (r.isFinal)
-      mesh_.visitFaces(r.vertex, [&](int f) {
-        if (owners_.has(f, label)) affectedFaces_.add(f);
-      });
-  addFacesOfSite(label);
+void OwnerFinding::noteLeavingFrom(int vertex, int label) {
+  mesh_.visitFaces(vertex, [&](int f) {
+    if (owners_.has(f, label)) affectedFaces_.add(f);
+  });
 }
 
 void OwnerFinding::addFacesOfSite(int label) {

@@ -40,9 +40,11 @@ class OwnerFinding {
         changedVertices_(mesh.vertexCount()) {}
 
   void beginChange();
-  /// Notes the faces that a label owns a part of, whose owners may change without it. Call before
-  /// the spread forgets the label and before its site is removed.
-  void noteLeaving(int label);
+  /// Notes that the owners of the faces that a label's site is in may change.
+  void addFacesOfSite(int label);
+  /// Notes the faces around a vertex that a label owns a part of: their owners may change without
+  /// it. Call before the site of the label is removed.
+  void noteLeavingFrom(int vertex, int label);
   /// Begins after labels have spread. `change` must outlive the work.
   void start(const LabelChange& change);
   /// Works on at most `budget` units and lowers it by their number; true when all are found.
@@ -54,7 +56,6 @@ class OwnerFinding {
   const IndexSet& changedVertices() const { return changedVertices_; }
 
  private:
-  void addFacesOfSite(int label);
   bool markFinal(std::span<const int> labels, long& budget);
   void noteTie(int vertex, int label);
   bool affectAll(long& budget);

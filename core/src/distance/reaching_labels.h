@@ -8,6 +8,7 @@
 #include "base/sliced_loop.h"
 #include "base/small_lists.h"
 #include "distance/label_spread.h"
+#include "distance/reached_loop.h"
 
 namespace gvd {
 
@@ -33,14 +34,13 @@ class ReachingLabels {
     next_ = 0;
     return true;
   }
-  /// Removes some labels. Call before the spread forgets them.
-  void remove(const LabelSpread& spread, std::span<const int> labels) {
+  /// Removes some labels, in slices; true when that is done. Call before the spread forgets them.
+  bool remove(const LabelSpread& spread, std::span<const int> labels, long& budget) {
     const IndexSet gone(static_cast<int>(collected_.size()), labels);
-    for (const int label : labels) {
-      for (const ReachedVertex& r : spread.reached(label))
-        lists_.eraseIf(r.vertex, [&](int other) { return gone.contains(other); });
-      collected_[label] = 0;
-    }
+    for (const int label : labels) collected_[label] = 0;
+    return loop_.run(spread, labels, budget, [&](int /*label*/, int /*i*/, const ReachedVertex& r) {
+      lists_.eraseIf(r.vertex, [&](int other) { return gone.contains(other); });
+    });
   }
   std::span<const int> operator[](int vertex) const { return lists_[vertex]; }
 
@@ -49,6 +49,7 @@ class ReachingLabels {
   SmallLists<int> lists_;
   std::vector<size_t> collected_;  ///< per label, how many of the vertices it has reached
   int next_ = 0;                   ///< label to collect
+  ReachedLoop loop_;
 };
 
 }  // namespace gvd

@@ -58,19 +58,74 @@ void SiteDistances::change(std::span<const SiteChange> changes) {
     if (c.site) onMesh(mesh_, *c.site, "site " + std::to_string(c.label) + ": ");
   changes_.assign(changes.begin(), changes.end());
   change_ = {};
+  resumed_ = outdated_ = IndexSet(sites_.labelCount());
   lowering_.beginChange();
   forgottenAt_.clear();
   known_.beginChange();
   sequence_ = {};
 }
 
-/// Removes and inserts sites.
-void SiteDistances::makeChanges() {
+bool SiteDistances::step(long& budget) {
+  return sequence_.run(
+      [&] { return spread_->prepare(budget) && known_.prepare(budget); },
+      [&] {
+        return sites_.count() == 0 || reaching_.collect(*spread_, sites_.labelCount(), budget);
+      },
+      // 1. Bounds, and which labels start or resume because of them.
+      [&] { findLeaving(); }, [&] { return forget(budget); }, [&] { makeChanges(); },
+      [&] { return edgeBounds_.step(budget); }, [&] { return findOutdated(budget); },
+      [&] { return forget(budget); }, [&] { orderLabels(); },
+      // 2. Spread.
+      [&] { lowering_.start(change_); }, [&] { return lowering_.step(budget); },
+      // 3. Known labels.
+      [&] { known_.start(change_); }, [&] { return known_.step(budget); });
+}
+
+/// Finds the labels that lose their sites.
+void SiteDistances::findLeaving() {
   std::vector<int> leaving;
   for (const SiteChange& c : changes_)
     if (sites_.contains(c.label)) leaving.push_back(c.label);
-  forget(leaving);
-  for (const int label : leaving) {
+  startForgetting(std::move(leaving));
+}
+
+void SiteDistances::startForgetting(std::vector<int> labels) {
+  forgotten_ = std::move(labels);
+  forgetting_ = {};
+}
+
+/// Forgets the distances of some labels, in slices; true when done.
+bool SiteDistances::forget(long& budget) {
+  return forgetting_.run(
+      [&] {
+        for (const int label : forgotten_) known_.noteLeaving(label);
+      },
+      [&] {
+        return reachedLoop_.run(*spread_, forgotten_, budget,
+                                [&](int label, int /*i*/, const ReachedVertex& r) {
+                                  if (r.isFinal) forgetAt(label, r);
+                                });
+      },
+      [&] { return reaching_.remove(*spread_, forgotten_, budget); },
+      [&] { spread_->remove(forgotten_); });
+}
+
+/// Other labels that have reached the vertex may have to go on, so they are resumed: the
+/// neighbours, and labels that tie with a neighbour farther on.
+void SiteDistances::forgetAt(int label, const ReachedVertex& r) {
+  known_.noteLeavingFrom(r.vertex, label);
+  // Once per vertex, even if all labels reach it and all are forgotten.
+  if (forgottenAt_.add(r.vertex))
+    for (const int other : reaching_[r.vertex]) resumed_.add(other);
+  LabelledDistance& nearest = bounds_[r.vertex];
+  if (nearest.label < 0 || !bounds_.ties().isAtMost(r.distance, nearest.distance)) return;
+  nearest = {};
+  change_.resetVertices.push_back(r.vertex);
+}
+
+/// Removes and inserts sites.
+void SiteDistances::makeChanges() {
+  for (const int label : forgotten_) {
     const SurfacePoint site = sites_[label];
     sites_.remove(label);
     edgeBounds_.remove(label, site);
@@ -83,60 +138,25 @@ void SiteDistances::makeChanges() {
   }
 }
 
-/// Forgets the distances of some labels. Other labels that have reached their vertices may have to
-/// go on, so they are resumed: the neighbours, and labels that tie with a neighbour farther on.
-void SiteDistances::forget(std::span<const int> labels) {
-  IndexSet resumed(sites_.labelCount());
-  for (const int label : labels) {
-    known_.noteLeaving(label);
-    for (const ReachedVertex& r : spread_->reached(label)) {
-      if (!r.isFinal) continue;
-      // Once per vertex, even if all labels reach it and all are forgotten.
-      if (forgottenAt_.add(r.vertex))
-        for (const int other : reaching_[r.vertex]) resumed.add(other);
-      LabelledDistance& nearest = bounds_[r.vertex];
-      if (nearest.label < 0 || !bounds_.ties().isAtMost(r.distance, nearest.distance)) continue;
-      nearest = {};
-      change_.resetVertices.push_back(r.vertex);
-    }
+/// Finds the labels that have reached a vertex whose edge bound has changed, if their distances
+/// depend on it: these start again.
+bool SiteDistances::findOutdated(long& budget) {
+  constexpr long kVerticesPerUnit = 8;
+  if (spread_->dependsOnEdgeBounds() && sites_.count() > static_cast<int>(change_.started.size())) {
+    const std::vector<int>& changed = edgeBounds_.changed();
+    if (!loop_.run(changed.size(), budget, kVerticesPerUnit, [&](int i) {
+          for (const int label : reaching_[changed[i]]) outdated_.add(label);
+        }))
+      return false;
   }
-  change_.resumed.insert(change_.resumed.end(), resumed.list().begin(), resumed.list().end());
-  makeSet(change_.resumed);
-  reaching_.remove(*spread_, labels);
-  spread_->remove(labels);
-}
-
-bool SiteDistances::step(long& budget) {
-  return sequence_.run(
-      [&] { return spread_->prepare(budget) && known_.prepare(budget); },
-      [&] {
-        return sites_.count() == 0 || reaching_.collect(*spread_, sites_.labelCount(), budget);
-      },
-      [&] { makeChanges(); },
-      // 1. Bounds, and which labels start or resume because of them.
-      [&] { return edgeBounds_.step(budget); }, [&] { restartOutdated(); }, [&] { orderLabels(); },
-      // 2. Spread.
-      [&] { lowering_.start(change_); }, [&] { return lowering_.step(budget); },
-      // 3. Known labels.
-      [&] { known_.start(change_); }, [&] { return known_.step(budget); });
+  startForgetting(outdated_.sorted());
+  change_.started.insert(change_.started.end(), forgotten_.begin(), forgotten_.end());
+  return true;
 }
 
 double SiteDistances::progress() const {
   constexpr double kShareOfSpread = 0.6;
   return kShareOfSpread * lowering_.progress() + (1 - kShareOfSpread) * known_.progress();
-}
-
-/// Starts the labels again that have reached a vertex whose edge bound has changed, if their
-/// distances depend on it.
-void SiteDistances::restartOutdated() {
-  if (!spread_->dependsOnEdgeBounds()) return;
-  if (sites_.count() == static_cast<int>(change_.started.size())) return;
-  IndexSet reaching(sites_.labelCount());
-  for (const int v : edgeBounds_.changed())
-    for (const int label : reaching_[v]) reaching.add(label);
-  const std::vector<int> outdated = reaching.sorted();
-  forget(outdated);
-  change_.started.insert(change_.started.end(), outdated.begin(), outdated.end());
 }
 
 /// Puts neighbouring labels in succession, so that the memory they touch is still in the cache.
@@ -150,7 +170,7 @@ void SiteDistances::orderLabels() {
   change_.hasStarted.assign(sites_.labelCount(), false);
   for (const int label : change_.started) change_.hasStarted[label] = true;
   change_.startsAll = sites_.count() == static_cast<int>(change_.started.size());
-  makeSet(change_.resumed);
+  change_.resumed = resumed_.sorted();
   std::erase_if(change_.resumed,
                 [&](int label) { return !sites_.contains(label) || change_.hasStarted[label]; });
 }

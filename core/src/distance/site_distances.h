@@ -15,6 +15,7 @@
 #include "distance/label_change.h"
 #include "distance/label_spread.h"
 #include "distance/nearest_bounds.h"
+#include "distance/reached_loop.h"
 #include "distance/reaching_labels.h"
 #include "distance/site_set.h"
 #include "gvd/geodesic.h"
@@ -79,9 +80,12 @@ class SiteDistances final : public DistanceField {
 
  private:
   class DistancesAtPoints;
+  void findLeaving();
+  void startForgetting(std::vector<int> labels);
+  bool forget(long& budget);
+  void forgetAt(int label, const ReachedVertex& r);
   void makeChanges();
-  void forget(std::span<const int> labels);
-  void restartOutdated();
+  bool findOutdated(long& budget);
   void orderLabels();
   bool isKnownAround(int label, const SurfacePoint& p) const;
 
@@ -97,9 +101,13 @@ class SiteDistances final : public DistanceField {
 
   // The current change.
   std::vector<SiteChange> changes_;
-  SlicedSequence sequence_;
+  SlicedSequence sequence_, forgetting_;
+  SlicedLoop loop_;
+  ReachedLoop reachedLoop_;
   LabelChange change_;
-  IndexSet forgottenAt_;  ///< vertices where a label was forgotten
+  std::vector<int> forgotten_;         ///< labels that leave, then those that start again
+  IndexSet forgottenAt_;               ///< vertices where a label was forgotten
+  IndexSet resumed_{0}, outdated_{0};  ///< labels
 };
 
 }  // namespace gvd
