@@ -33,19 +33,7 @@ void EdgeBounds::offerFrom(const FaceSite& site, int face) {
           kNone);
 }
 
-/// Forgets the bounds of all vertices whose paths lead to the site. Their neighbours, and the sites
-/// in the faces around them, offer bounds anew. Labels do not tell which vertices these are:
-/// rounding may make two paths to a vertex equally long after one of them was shortened, and the
-/// vertex then keeps the label that the path no longer leads to.
 void EdgeBounds::remove(int label, const SurfacePoint& site) {
-  std::vector<int> former;
-  const auto take = [&](int v) {
-    Vertex& own = vertices_[v];
-    own.bound = kInfinity;
-    own.label = own.from = kNone;
-    changed_.add(v);
-    former.push_back(v);
-  };
   const auto takeNextToSite = [&](int v) {
     if (vertices_[v].label == label && vertices_[v].from == kNone) take(v);
   };
@@ -53,19 +41,42 @@ void EdgeBounds::remove(int label, const SurfacePoint& site) {
     takeNextToSite(mesh_.tail(h));
     if (mesh_.twin(h) >= 0) takeNextToSite(mesh_.tail(TriangleMesh::previous(mesh_.twin(h))));
   }
-  for (size_t i = 0; i < former.size(); ++i)
-    mesh_.visitNeighbours(former[i], [&](int v) {
-      if (vertices_[v].from == former[i]) take(v);
-    });
-  for (const int v : former) {
-    mesh_.visitEdges(v, [&](int neighbour, double length) {
-      const Vertex& beyond = vertices_[neighbour];
-      if (beyond.label >= 0) offer(v, beyond.label, beyond.bound + length, neighbour);
-    });
-    mesh_.visitFaces(v, [&](int face) {
-      for (const FaceSite& other : sites_.inFace(face)) offerFrom(other, face);
+}
+
+void EdgeBounds::take(int vertex) {
+  Vertex& own = vertices_[vertex];
+  own.bound = kInfinity;
+  own.label = own.from = kNone;
+  changed_.add(vertex);
+  former_.push_back(vertex);
+}
+
+/// The neighbours of the vertices, and the sites in the faces around them, offer bounds anew.
+/// Labels do not tell which vertices these are: rounding may make two paths to a vertex equally
+/// long after one of them was shortened, and the vertex then keeps the label that the path no
+/// longer leads to.
+bool EdgeBounds::forget(long& budget) {
+  for (; taken_ < former_.size(); ++taken_) {
+    if (budget-- <= 0) return false;
+    const int from = former_[taken_];
+    mesh_.visitNeighbours(from, [&](int v) {
+      if (vertices_[v].from == from) take(v);
     });
   }
+  if (!loop_.run(former_.size(), budget, 1, [&](int i) { offerAround(former_[i]); })) return false;
+  former_.clear();
+  taken_ = 0;
+  return true;
+}
+
+void EdgeBounds::offerAround(int vertex) {
+  mesh_.visitEdges(vertex, [&](int neighbour, double length) {
+    const Vertex& beyond = vertices_[neighbour];
+    if (beyond.label >= 0) offer(vertex, beyond.label, beyond.bound + length, neighbour);
+  });
+  mesh_.visitFaces(vertex, [&](int face) {
+    for (const FaceSite& other : sites_.inFace(face)) offerFrom(other, face);
+  });
 }
 
 /// The vertices of a bucket come in the order in which they were queued. Where edges are much

@@ -6,6 +6,7 @@
 
 #include "base/bucket_queue.h"
 #include "base/index_set.h"
+#include "base/sliced_loop.h"
 #include "distance/site_set.h"
 #include "gvd/geodesic.h"
 #include "gvd/triangle_mesh.h"
@@ -19,10 +20,13 @@ class EdgeBounds {
  public:
   EdgeBounds(const TriangleMesh& mesh, const SiteSet& sites);
 
-  /// Call after `sites.insert`.
-  void insert(int label);
   /// Call after `sites.remove`; `site` is where the site was.
   void remove(int label, const SurfacePoint& site);
+  /// Forgets the bounds of all vertices whose paths lead to removed sites, in slices; true when
+  /// done. Call after all sites were removed, and before any is inserted.
+  bool forget(long& budget);
+  /// Call after `sites.insert`.
+  void insert(int label);
   /// Works on at most `budget` vertices and lowers it by their number; true when all bounds are up
   /// to date.
   bool step(long& budget);
@@ -49,6 +53,8 @@ class EdgeBounds {
     int bucket = kNone;
   };
 
+  void take(int vertex);
+  void offerAround(int vertex);
   void offerFrom(const FaceSite& site, int face);
   /// Inlined, because most offers are no improvement.
   void offer(int vertex, int label, double distance, int from) {
@@ -59,8 +65,11 @@ class EdgeBounds {
   const TriangleMesh& mesh_;
   const SiteSet& sites_;
   std::vector<Vertex> vertices_;
-  BucketQueue queue_;  ///< vertices by distance
-  IndexSet changed_;   ///< vertices
+  BucketQueue queue_;        ///< vertices by distance
+  IndexSet changed_;         ///< vertices
+  std::vector<int> former_;  ///< vertices whose paths led to removed sites
+  size_t taken_ = 0;         ///< how many of these have taken those behind them along
+  SlicedLoop loop_;
 };
 
 }  // namespace gvd

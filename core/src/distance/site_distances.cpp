@@ -72,7 +72,8 @@ bool SiteDistances::step(long& budget) {
         return sites_.count() == 0 || reaching_.collect(*spread_, sites_.labelCount(), budget);
       },
       // 1. Bounds, and which labels start or resume because of them.
-      [&] { findLeaving(); }, [&] { return forget(budget); }, [&] { makeChanges(); },
+      [&] { findLeaving(); }, [&] { return forget(budget); }, [&] { removeSites(); },
+      [&] { return edgeBounds_.forget(budget); }, [&] { insertSites(); },
       [&] { return edgeBounds_.step(budget); }, [&] { return findOutdated(budget); },
       [&] { return forget(budget); }, [&] { orderLabels(); },
       // 2. Spread.
@@ -123,13 +124,15 @@ void SiteDistances::forgetAt(int label, const ReachedVertex& r) {
   change_.resetVertices.push_back(r.vertex);
 }
 
-/// Removes and inserts sites.
-void SiteDistances::makeChanges() {
+void SiteDistances::removeSites() {
   for (const int label : forgotten_) {
     const SurfacePoint site = sites_[label];
     sites_.remove(label);
     edgeBounds_.remove(label, site);
   }
+}
+
+void SiteDistances::insertSites() {
   for (const SiteChange& c : changes_) {
     if (!c.site) continue;
     sites_.insert(c.label, onMesh(mesh_, *c.site));

@@ -84,7 +84,8 @@ class SiteDistances final : public DistanceField {
   void startForgetting(std::vector<int> labels);
   bool forget(long& budget);
   void forgetAt(int label, const ReachedVertex& r);
-  void makeChanges();
+  void removeSites();
+  void insertSites();
   bool findOutdated(long& budget);
   void orderLabels();
   bool isKnownAround(int label, const SurfacePoint& p) const;
