@@ -155,6 +155,7 @@ test('the format of bytes without a name is found', async () => {
   const cases = [
     ['OFF', text(`# by hand\nOFF\n3 1 0\n${corners}`)],
     ['OFF', text(`3 1 0\n${corners}`)],
+    ['OFF', text(`NCOFF\n3 1 0\n${corners}`)], // in the order of MeshLab, not of Geomview
     ['OBJ', text('# OFF\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n')],
     ['STL', text(`SOLID A\nFACET NORMAL 0 0 1\nOUTER LOOP\n${facet}ENDLOOP\nENDFACET\nENDSOLID\n`)],
     ['STL', binary],

@@ -56,7 +56,7 @@ function readHead(words: OffWords): { vertexCount: number; faceCount: number } {
   const keyword = words.firstOfLine('nothing');
   if (/^\d+$/.test(keyword))
     return { vertexCount: words.countOf(keyword), faceCount: words.countOf(words.next()) };
-  if (!/^(ST)?C?N?OFF$/.test(keyword))
+  if (!/^(ST|C|N)*OFF$/.test(keyword))
     throw words.fault(
       `'${keyword}' is a kind of OFF that is not read: it is not of three dimensions`,
     );
