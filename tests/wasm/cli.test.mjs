@@ -312,7 +312,7 @@ test('a wrong command line: status 2', () => {
   fails(2, 'cvt shape.glb', /--sites N\|FILE or --radius LENGTH is missing/);
   fails(2, 'diagram shape.glb --sites 3 -o d.stl', /d\.stl.*\.json, \.obj, \.glb/);
   fails(2, 'partition shape.glb --sites 3 --layout heap -o d.glb', /heap.*regions, features/);
-  fails(2, 'partition shape.glb --sites 3 -o d.stl', /d\.stl.*\.json, \.glb, \.obj, \.ply/);
+  fails(2, 'partition shape.glb --sites 3 -o d.off', /d\.off.*\.json, \.glb, \.obj, \.ply, \.stl/);
   fails(2, 'remesh shape.glb --sites 3 --detail 2', /--detail/);
   fails(2, 'dual shape.glb --sites 3 --max-added 2', /--max-added.*--repair is missing/);
   fails(2, 'info shape.glb -o x.ply', /the ending of 'x\.ply' is not one of \.json, \.txt/);

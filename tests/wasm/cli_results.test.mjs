@@ -248,6 +248,26 @@ test('--format decides, also on standard output and whatever the file is called'
   );
 });
 
+test('partition as STL: all regions, or one of them', () => {
+  const areaOf = (...region) => {
+    succeeds(['partition shape.glb --sites 3 -o part.stl', ...region].join(' '));
+    return JSON.parse(succeeds('info part.stl --json').stdout).area;
+  };
+  const { regions } = JSON.parse(succeeds('partition shape.glb --sites 3').stdout);
+  const areas = regions.map(({ area }) => area);
+  areas.forEach((area, label) =>
+    assert.ok(Math.abs(areaOf(`--region ${label}`) - area) < 1e-5 * area),
+  );
+  const all = areas.reduce((sum, area) => sum + area);
+  assert.ok(Math.abs(areaOf() - all) < 1e-5 * all);
+  fails(
+    1,
+    'partition shape.glb --sites 3 --region 3 -q -o part.stl',
+    /region is 3, not an integer/,
+  );
+  fails(2, 'partition shape.glb --sites 3 --region 0 -o a.obj', /--region is about \.stl files/);
+});
+
 test('path as JSON and OBJ', () => {
   const { stderr } = succeeds('path shape.glb --from points.json --to sites.json -o p.json');
   assert.match(stderr, /^2 paths, of length /);

@@ -17,6 +17,7 @@ import {
   partitionJson,
   partitionObj,
   partitionPly,
+  partitionStl,
 } from '../output/partition_formats.js';
 import {
   polygonGlb,
@@ -206,11 +207,18 @@ interface PartitionResult {
   partition: Partition;
 }
 
+/** Options about the files of one ending. */
+const ofOneFormat = [
+  ['layout', '.glb'],
+  ['region', '.stl'],
+] as const;
+
 export function toPartitionEncoder(target: Values<'partition'>): Encoder<PartitionResult> {
-  const { layout, output, json, format } = target;
-  if (layout && endingOf(target) !== '.glb') {
+  const { layout, region, output, json, format } = target;
+  for (const [option, ending] of ofOneFormat) {
+    if (target[option] === undefined || endingOf(target) === ending) continue;
     const other = format !== undefined ? `--format ${format}` : json ? '--json' : `'${output}'`;
-    throw new UsageError(`--layout is about .glb files: ${other} has none`);
+    throw new UsageError(`--${option} is about ${ending} files: ${other} has none`);
   }
   return encoderOf(
     {
@@ -219,6 +227,7 @@ export function toPartitionEncoder(target: Values<'partition'>): Encoder<Partiti
       '.glb': ({ partition, mesh }, { scale }) => partitionGlb(partition, { layout, mesh, scale }),
       '.obj': ({ partition, mesh }, { scale }) => partitionObj(partition, { mesh, scale }),
       '.ply': ({ partition, mesh }, { scale }) => partitionPly(partition, { mesh, scale }),
+      '.stl': ({ partition }, { scale }) => partitionStl(partition, { region, scale }),
     },
     target,
   );

@@ -134,6 +134,12 @@ export const options = {
     optional: true,
     help: `Of a .glb: regions: a node with a primitive for each; features: one mesh with region ids, EXT_mesh_features (default: ${partitionLayouts[0]})`,
   },
+  region: {
+    value: 'N',
+    parse: integer(-1, maxCount),
+    optional: true,
+    help: 'Of an .stl: write only one region, by the index of its site; -1: what no site reaches (default: all)',
+  },
   'leave-out-indifferent': {
     help: 'Leave holes where regions tie on whole triangles, instead of giving these to the lowest',
   },
@@ -300,15 +306,17 @@ export const commands = {
   },
   partition: {
     summary: 'The mesh cut into the regions of sites, watertight where it was',
-    result: `By FILE's ending or --format, by default .json: .glb, .obj (a group per region), .ply (a label and a colour per face), .json (triangles, and facts of each region).`,
+    result: `By FILE's ending or --format, by default .json: .glb, .obj (a group per region), .ply (a label and a colour per face), .stl (triangles alone), .json (triangles, and facts of each region).`,
     examples: [
       'mesh.glb --sites 300 -o parts.glb',
       'mesh.glb --sites sites.json --layout features -o parts.glb',
       'mesh.glb --sites 300 --format ply > parts.ply',
+      'mesh.glb --sites sites.json --region 7 -o part-7.stl',
     ],
     options: [
       ...ofSites,
       'layout',
+      'region',
       'leave-out-indifferent',
       'leave-out-unreachable',
       'metric',
