@@ -114,7 +114,7 @@ export const options = {
     value: 'FILE',
     parse: path,
     optional: true,
-    help: 'JSON list of the indices of sites that stay where they are',
+    help: 'Indices of sites that stay where they are: a file of a JSON list, or JSON itself, as [0, 1]',
   },
   'energy-tolerance': {
     value: 'SHARE',
