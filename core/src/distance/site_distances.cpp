@@ -111,8 +111,8 @@ bool SiteDistances::forget(long& budget) {
       [&] { spread_->remove(forgotten_); });
 }
 
-/// Other labels that have reached the vertex may have to go on, so they are resumed: the
-/// neighbours, and labels that tie with a neighbour farther on.
+/// Forgets the distance of a label at a vertex. Other labels that have reached the vertex may have
+/// to go on, so they are resumed: the neighbours, and labels that tie with a neighbour farther on.
 void SiteDistances::forgetAt(int label, const ReachedVertex& r) {
   known_.noteLeavingFrom(r.vertex, label);
   // Once per vertex, even if all labels reach it and all are forgotten.
