@@ -28,7 +28,7 @@ import { type PointList, type SitePlace, surfacePointsOf } from './session/site_
 import type { Session } from './session/session.js';
 import { Viewer } from './viewer.js';
 
-export type { Command, CvtIteration, CvtStatus, HoveredPoint, Layer, SitePlace, Status };
+export type { Command, CvtIteration, CvtStatus, HoveredPoint, Layer, PointList, SitePlace, Status };
 export type { FailureType, ViewerEventMap, ViewerEvents };
 export { commandOf, layers };
 

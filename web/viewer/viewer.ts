@@ -34,7 +34,7 @@ import { WireframeLayer } from './layers/wireframe_layer.js';
 const longestGlide = 250;
 
 /** The element that a viewer fills, as the viewer sees it. */
-export interface ViewerHost extends ContextListener {
+interface ViewerHost extends ContextListener {
   readonly attributes: Attributes;
   readonly emit: Emit;
   readonly hint: (sentence: string) => void;
@@ -53,7 +53,6 @@ export class Viewer implements Workpiece {
   readonly selection = new SiteSelection(this, () => this.#showSites());
   readonly #emit: Emit;
   readonly #gestures: PointerGestures;
-  readonly #resizing: ResizeObserver;
   #model: OpenModel | undefined;
   /** What the model is read from, also while it is opened. */
   #read: Reader | undefined;
@@ -103,11 +102,12 @@ export class Viewer implements Workpiece {
       this.#sessionListener(),
     );
     this.hover = new Hover(this.session, (point, path) => this.#tellHovered(point, path));
-    this.#resizing = new ResizeObserver(() => {
+    const resizing = new ResizeObserver(() => {
       this.stage.resize(canvas.clientWidth, canvas.clientHeight, paddingAround(canvas));
       this.scrolling.update();
     });
-    this.#resizing.observe(canvas);
+    resizing.observe(canvas);
+    signal.addEventListener('abort', () => resizing.disconnect());
     canvas.addEventListener('keydown', (event) => {
       const command = commandOf(event);
       if (command === undefined || !(this.attributes.interactive.edit || isOfView(command))) return;
@@ -259,7 +259,6 @@ export class Viewer implements Workpiece {
 
   dispose(): void {
     this.legend.dispose();
-    this.#resizing.disconnect();
     cancelAnimationFrame(this.#gliding);
     this.scrolling.dispose();
     this.#gestures.dispose();

@@ -218,10 +218,7 @@ async function kindOf(path: string): Promise<'file' | 'folder' | 'pipe' | 'devic
 }
 
 export async function exists(path: string): Promise<boolean> {
-  return stat(path).then(
-    () => true,
-    () => false,
-  );
+  return (await kindOf(path)) !== 'none';
 }
 
 function isWritable(path: string): Promise<boolean> {

@@ -9,7 +9,7 @@ import type { TaskOptions } from '../api/options.js';
 import type { Loaded, Port, Reply, Request } from './worker_server.js';
 
 /** A `Worker`, seen from outside. */
-export interface WorkerPort extends Port {
+interface WorkerPort extends Port {
   onerror: ((event: ErrorEvent) => void) | null;
   terminate(): void;
 }

@@ -314,7 +314,7 @@ export const ranges = {
   radius: { name: 'a positive number', has: (x: number) => x > 0 && x < Infinity },
 } as const;
 
-export function toRange(name: string, value: number, range: keyof typeof ranges): number {
+function toRange(name: string, value: number, range: keyof typeof ranges): number {
   if (typeof value === 'number' && ranges[range].has(value)) return value;
   throw invalidArgument(`${name} is ${show(value)}, not ${ranges[range].name}`);
 }

@@ -9,6 +9,7 @@ import {
   Group,
   type LineBasicMaterial,
   type LineSegments,
+  type Object3D,
 } from 'three';
 import { css } from '../buffers/colour_vision.js';
 import type { DiagramGeometry, PreparedDiagram } from '../buffers/diagram_geometry.js';
@@ -61,10 +62,10 @@ type Lines = Pick<DiagramData, 'points' | 'arcs' | 'segments' | 'voronoiPoints'>
 /** A model with its diagram and sites, as objects of the scene. */
 export class ModelDrawing {
   readonly object = new Group();
+  readonly mesh: SceneMesh;
   readonly sites: SiteDrawing;
   readonly outline: OutlineDrawing;
   readonly exploded: ExplodedView;
-  readonly #mesh: SceneMesh;
   readonly #surface: RegionSurface;
   readonly #colours: RegionColours;
   /** Each segment has its two labels as keys. */
@@ -74,7 +75,9 @@ export class ModelDrawing {
   readonly #path = new FatLines({ width: 2.5 });
   readonly #dual = new FatLines({ width: 2.5 });
   readonly #voronoiPoints: VoronoiPointMarkers;
-  /** The surface and everything that lies on it. */
+  /** The surface as regions and what lies on it, in the order of drawing. */
+  readonly #parts: readonly { object: Object3D; dispose(): void }[];
+  /** These, with the other surfaces. */
   readonly #whole = new Group();
   #distances: DistanceSurface | undefined;
   #original: OriginalMaterial | undefined;
@@ -85,7 +88,7 @@ export class ModelDrawing {
   #tones: Uint16Array = new Uint16Array();
 
   constructor(mesh: SceneMesh, colours = new RegionColours()) {
-    this.#mesh = mesh;
+    this.mesh = mesh;
     this.#colours = colours;
     this.#occlusion = occlusionTexture(mesh.surfaceDensity);
     this.#surface = new RegionSurface(mesh, this.#occlusion);
@@ -95,16 +98,9 @@ export class ModelDrawing {
     this.exploded = new ExplodedView(this.#whole, this.#occlusion);
     this.theme = this.#theme;
     this.object.add(this.#whole, this.exploded.object);
-    this.#whole.add(
-      this.#surface.object,
-      this.#bisectors.object,
-      this.outline.object,
-      this.#dual.object,
-      this.#brush.object,
-      this.#path.object,
-      this.#voronoiPoints.markers.object,
-      this.sites.object,
-    );
+    const lines = [this.#bisectors, this.outline, this.#dual, this.#brush, this.#path];
+    this.#parts = [this.#surface, ...lines, this.#voronoiPoints.markers, this.sites];
+    this.#whole.add(...this.#parts.map(({ object }) => object));
   }
 
   /** See `Markers`. */
@@ -127,10 +123,6 @@ export class ModelDrawing {
     this.#voronoiPoints.markers.theme = theme;
     this.#wireframe?.material.color.set(theme.ink);
     this.exploded.shade = theme.surfaceShade;
-  }
-
-  get mesh(): SceneMesh {
-    return this.#mesh;
   }
 
   show(shown: ReadonlySet<Layer>): void {
@@ -180,12 +172,12 @@ export class ModelDrawing {
   setDistances(triangles: DistanceTriangles | undefined, inUnits?: DistanceScale): void {
     if (this.#distances) this.#whole.remove(this.#distances.object);
     this.#distances?.dispose();
-    const { scale } = this.#mesh.frame;
+    const { scale } = this.mesh.frame;
     this.#distances =
       triangles &&
       inUnits &&
       new DistanceSurface(
-        this.#mesh,
+        this.mesh,
         triangles,
         { longest: scale * inUnits.longest, step: scale * inUnits.step },
         this.#occlusion,
@@ -212,7 +204,7 @@ export class ModelDrawing {
 
   /** Two vertices for every edge: the wireframe's. */
   setEdges(edges: Uint32Array): void {
-    this.#wireframe = wireframe(this.#mesh, edges);
+    this.#wireframe = wireframe(this.mesh, edges);
     this.#wireframe.material.color.set(this.#theme.ink);
     this.#wireframe.visible = this.#shown.has('wireframe');
     this.#whole.add(this.#wireframe);
@@ -264,22 +256,15 @@ export class ModelDrawing {
   /** A path on the surface; undefined for none. */
   setPath(path: SurfacePath | undefined): void {
     const points = path?.points ?? { position: [] };
-    this.#path.set(chainEnds(this.#mesh, { points, offset: [0, points.position.length / 3] }));
+    this.#path.set(chainEnds(this.mesh, { points, offset: [0, points.position.length / 3] }));
   }
 
   dispose(): void {
-    this.#surface.dispose();
-    this.#bisectors.dispose();
-    this.outline.dispose();
-    this.#dual.dispose();
-    this.#brush.dispose();
-    this.#path.dispose();
+    for (const part of this.#parts) part.dispose();
     this.exploded.dispose();
     this.#distances?.dispose();
     this.setOriginal(undefined);
     this.#occlusion.dispose();
-    this.#voronoiPoints.markers.dispose();
-    this.sites.dispose();
     if (this.#wireframe) {
       this.#wireframe.geometry.dispose();
       this.#wireframe.material.dispose();
@@ -307,7 +292,7 @@ export class ModelDrawing {
   }
 
   #segmentEnds(lines: Lines | undefined): Float32Array {
-    return lines ? pointPlaces(this.#mesh, lines, lines.segments.points) : new Float32Array();
+    return lines ? pointPlaces(this.mesh, lines, lines.segments.points) : new Float32Array();
   }
 }
 

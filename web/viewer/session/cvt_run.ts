@@ -33,7 +33,7 @@ interface TimedState {
   milliseconds: number;
 }
 
-export interface CvtRunListener {
+interface CvtRunListener {
   iterated(iteration: PreparedIteration): void;
   /** Called when it stops playing, by itself or on request. */
   paused(): void;
