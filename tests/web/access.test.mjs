@@ -17,17 +17,6 @@ suite('access', () => {
   });
   after(() => browser.stop());
 
-  /** Opens a page, and sees it in windows of several sizes, one after the other. */
-  async function inWindows(sizes, see, options) {
-    const viewer = await browser.open(options);
-    await viewer.settled();
-    for (const [width, height] of sizes) {
-      await viewer.page.setViewportSize({ width, height });
-      await see(viewer, width, height);
-    }
-    await viewer.close();
-  }
-
   const violations = (page) =>
     page.evaluate(async () => {
       const { violations } = await window.axe.run();
@@ -72,11 +61,16 @@ suite('access', () => {
   });
 
   test('in a low window no button on the view is covered or cut off', async () => {
-    const sizes = [
+    for (const [width, height] of [
       [640, 360],
       [844, 390],
-    ];
-    const noneIsCovered = async (viewer, width, height) => {
+    ]) {
+      const viewer = await browser.open({
+        viewport: { width, height },
+        hasTouch: true,
+        isMobile: true,
+      });
+      await viewer.settled();
       const covered = await viewer.page.evaluate(() =>
         [...document.querySelectorAll('#toolbar button')]
           .filter((button) => button.checkVisibility())
@@ -88,8 +82,8 @@ suite('access', () => {
           .map(({ id }) => id),
       );
       assert.deepEqual(covered, [], `${width} × ${height}`);
-    };
-    await inWindows(sizes, noneIsCovered, { hasTouch: true, isMobile: true });
+      await viewer.close();
+    }
   });
 
   test('on a phone everything to press is 44 pixels high, and a tap reads a region', async () => {
@@ -209,25 +203,27 @@ suite('access', () => {
   });
 
   test('long work can be given up on a phone, also beside the open sheet', async () => {
-    const sizes = [
-      [360, 740],
-      [320, 568],
-    ];
-    await inWindows(sizes, async ({ page }, across) => {
-      await page.evaluate(() => {
+    for (const viewport of [
+      { width: 360, height: 740 },
+      { width: 320, height: 568 },
+    ]) {
+      const viewer = await browser.open({ viewport });
+      await viewer.settled();
+      await viewer.page.evaluate(() => {
         document.getElementById('progress-label').textContent = 'Computing the diagram';
         document.getElementById('progress').hidden = false;
       });
+      const { page } = viewer;
       for (const isOpen of [false, true]) {
-        assert.equal(await page.locator('#panel').isVisible(), isOpen);
+        if (isOpen) await page.locator('#sheet').press('Enter');
         for (const id of ['progress', 'cancel']) {
           const { x, width } = await page.locator(`#${id}`).boundingBox();
-          assert.ok(x >= 0 && x + width <= across, `${id} from ${x} to ${x + width}`);
+          assert.ok(x >= 0 && x + width <= viewport.width, `${id} from ${x} to ${x + width}`);
         }
         await page.locator('#cancel').click({ trial: true, timeout: 5000 });
-        await page.locator('#sheet').press('Enter'); // opens it, and then closes it
       }
-    });
+      await viewer.close();
+    }
   });
 
   test('density that is painted by a key is announced, and that it is gone', async () => {
@@ -248,12 +244,13 @@ suite('access', () => {
   });
 
   test('readout, scale of distances and toolbar lie side by side', async () => {
-    const sizes = [
+    for (const [width, height] of [
       [844, 390],
       [390, 844],
       [1280, 720],
-    ];
-    await inWindows(sizes, async (viewer, width, height) => {
+    ]) {
+      const viewer = await browser.open({ viewport: { width, height } });
+      await viewer.settled();
       await viewer.evaluate((viewer) => {
         viewer.layers = ['distances', 'sites'];
       });
@@ -271,7 +268,8 @@ suite('access', () => {
           assert.ok(isBeside || isAbove, `${width} × ${height}: ${JSON.stringify([a, b])}`);
         }),
       );
-    });
+      await viewer.close();
+    }
   });
 
   test('the element takes the focus as a whole', async () => {
