@@ -68,7 +68,7 @@ class EdgeBounds {
   BucketQueue queue_;        ///< vertices by distance
   IndexSet changed_;         ///< vertices
   std::vector<int> former_;  ///< vertices whose paths led to removed sites
-  size_t taken_ = 0;         ///< how many of these have taken those behind them along
+  size_t taken_ = 0;         ///< of how many of these the vertices behind them are listed
   SlicedLoop loop_;
 };
 

@@ -35,7 +35,7 @@ void KnownLabels::start(const LabelChange& change) {
   change_ = &change;
   finding_.start(change);
   atChanged_ = IndexSet(sites_.labelCount());
-  sequence_ = clearing_ = {};
+  sequence_ = allotting_ = {};
 }
 
 bool KnownLabels::step(long& budget) {
@@ -78,7 +78,7 @@ bool KnownLabels::step(long& budget) {
 /// that have found a final distance.
 bool KnownLabels::allotLists(long& budget) {
   const int vertices = mesh_.vertexCount();
-  return clearing_.run(
+  return allotting_.run(
       [&] {
         for (const int label : change_->started) atChanged_.add(label);
       },

@@ -53,7 +53,7 @@ class KnownLabels {
   /// Notes what may change without a label. Call before the spread forgets the label and before its
   /// site is removed.
   void noteLeaving(int label);
-  /// The same of each vertex where its distance is final.
+  /// Notes what may change around a vertex where the distance of such a label is final.
   void noteLeavingFrom(int vertex, int label) { finding_.noteLeavingFrom(vertex, label); }
   /// Begins to find the known labels, after labels have spread. `change` must outlive the work.
   void start(const LabelChange& change);
@@ -85,7 +85,7 @@ class KnownLabels {
 
   // The current change.
   const LabelChange* change_ = nullptr;
-  SlicedSequence sequence_, clearing_;
+  SlicedSequence sequence_, allotting_;
   SlicedLoop loop_;
   ReachedLoop reachedLoop_;
   double progress_ = 1;
