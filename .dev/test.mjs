@@ -92,7 +92,6 @@ const sanitized = [
   ...watched,
   '-DGVD_SANITIZE=address,undefined,float-cast-overflow',
   '-DGVD_PROPERTY_CASES=500',
-  '-DCGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE=ON',
 ];
 
 function ctest(folder) {

@@ -342,7 +342,7 @@ TEST(Cvt, IsFasterWithLbfgs) {
 TEST(Cvt, TakesOtherSitesToTheirCentroidsWhereOneRestsAtASaddle) {
   const auto plate = shapes::perforatedPlate(1);
   const auto mesh = shapes::subdivided(shapes::subdivided(plate)).mesh();
-  for (const int seed : {1, 2, 3, 4}) {
+  for (const int seed : {1, 2}) {
     CvtOptions options;
     options.iterations = 200;
     Cvt cvt(mesh, sampleUniform(mesh, 12, seed), options);

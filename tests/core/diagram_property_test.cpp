@@ -131,7 +131,7 @@ void handleSignals() {
   std::signal(SIGPROF, onSignal);
   std::signal(SIGABRT, onSignal);
   std::signal(SIGFPE, onSignal);
-#ifndef __SANITIZE_ADDRESS__
+#ifndef GVD_SANITIZED
   std::signal(SIGSEGV, onSignal);  // of which the sanitizer tells more
 #endif
 }

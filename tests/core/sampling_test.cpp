@@ -246,8 +246,8 @@ TEST(SamplePoissonDisk, KeepsItsDistanceAndCoversThePlane) {
 /// Paths bend at the corners of holes, where unfolded distances err by a fifth.
 TEST(SampleByRadius, LeavesNoVertexFartherByExactDistances) {
   const auto mesh = shapes::perforatedPlate(3, 8).mesh();
-  for (const double share : {0.05, 0.1, 0.2, 0.4})
-    for (const std::uint64_t seed : {1, 2, 3}) {
+  for (const double share : {0.07, 0.15, 0.4})
+    for (const std::uint64_t seed : {1, 2}) {
       const double radius = share * mesh.boundingDiagonal();
       for (const auto& points : {sampleFarthest(mesh, 100000, seed, radius),
                                  samplePoissonDisk(mesh, radius, seed).points}) {
