@@ -151,7 +151,7 @@ async function makePoster(browser) {
 
 await main(async () => {
   const names = process.argv.slice(2);
-  const browser = await startBrowser();
+  const browser = await startBrowser({}, { antialias: true });
   try {
     if (names.includes('poster')) await makePoster(browser);
     else await takeAll(browser, names);

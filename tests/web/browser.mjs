@@ -37,7 +37,6 @@ export const browserOptions = {
   args: [
     '--use-angle=swiftshader',
     '--enable-unsafe-swiftshader',
-    '--webgl-antialiasing-mode=none', // it would take a fifth of the time
     '--disable-background-networking',
     '--disable-component-update',
     '--disable-sync',
@@ -110,11 +109,16 @@ const firstModel = '#v=1&model=bunny.ply&sites=60&seed=4';
 
 /**
  * A browser and a server for all tests of a file. `documents` are pages besides the one that is built:
- * their `html`, and their `policy` if it is another.
+ * their `html`, and their `policy` if it is another. Antialiasing, of which only pictures tell, takes a
+ * software renderer a fifth of all time.
  */
-export async function startBrowser(documents = {}) {
+export async function startBrowser(documents = {}, { antialias = false } = {}) {
   const server = await serve(documents);
-  const browser = await chromium.launch(browserOptions);
+  const args = antialias ? [] : ['--webgl-antialiasing-mode=none'];
+  const browser = await chromium.launch({
+    ...browserOptions,
+    args: [...browserOptions.args, ...args],
+  });
   return {
     /**
      * The page, with the sample and the sites that the hash asks for, or a document, in a window of its

@@ -10,7 +10,7 @@ import { startBrowser } from './browser.mjs';
 
 let browser;
 before(async () => {
-  browser = await startBrowser();
+  browser = await startBrowser({}, { antialias: true });
 });
 after(() => browser.stop());
 

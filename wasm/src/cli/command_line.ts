@@ -33,7 +33,8 @@ export function parseCommandLine(args: string[], version: string): Invocation | 
 
   const { texts, positionals } = parseOptions(command, rest);
   if (texts.help) return commandHelp(command);
-  if (positionals.length === 0) throw new UsageError('a mesh is missing');
+  if (positionals.length === 0 || positionals.includes(''))
+    throw new UsageError('a mesh is missing');
   if (positionals.length > 1 && command !== 'info')
     throw new UsageError(`one mesh at a time: '${positionals[1]}' is one too many`);
   const { sites, points, from, to, density, 'fixed-sites': fixedSites } = texts;

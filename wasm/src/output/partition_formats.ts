@@ -45,8 +45,8 @@ export interface PartitionStlOptions extends FileOptions {
   region?: number | undefined;
 }
 
-export const partitionLayouts = ['regions', 'features'] as const;
-export type PartitionLayout = (typeof partitionLayouts)[number];
+export type PartitionLayout = 'regions' | 'features';
+export const partitionLayouts: readonly PartitionLayout[] = ['regions', 'features'];
 
 /** The JSON form of a partition; without its triangles where only facts of regions are wanted. */
 export interface PartitionJson extends LengthsJson {

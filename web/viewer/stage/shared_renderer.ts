@@ -91,7 +91,7 @@ export class SharedRenderer {
    * as a canvas does for its files, would block the page.
    */
   async read(picture: Picture): Promise<DrawnPixels> {
-    if (!this.#render(picture)) throw new Error('The graphics card has dropped this view.');
+    if (!this.#render(picture)) throw dropped();
     const gl = this.#renderer.getContext() as WebGL2RenderingContext;
     const { drawingBufferWidth: width, drawingBufferHeight: height } = gl;
     const pixels = new Uint8ClampedArray(4 * width * height);
@@ -112,7 +112,7 @@ export class SharedRenderer {
     }
     gl.deleteSync(drawn);
     gl.deleteBuffer(buffer);
-    if (gl.isContextLost()) throw new Error('The graphics card has dropped this view.');
+    if (gl.isContextLost()) throw dropped();
     return { width, height, pixels };
   }
 
@@ -147,4 +147,8 @@ export class SharedRenderer {
     // Not left to garbage collection, in which browsers free contexts late.
     this.#renderer.forceContextLoss();
   }
+}
+
+function dropped(): Error {
+  return new Error('The graphics card has dropped this view.');
 }
