@@ -3,14 +3,7 @@
 // geodesic-voronoi in a page or a worker; Node has `node.ts` instead. Importing it does nothing.
 
 import { isObject, show, toOptions } from './base/checks.js';
-import {
-  compile,
-  compileFromWeb,
-  isAddress,
-  isResponse,
-  type CompiledModule,
-  type WasmSource,
-} from './base/compile.js';
+import { compile, compileFromWeb, isAddress, isResponse } from './base/compile.js';
 import { GeodesicVoronoiError, invalidArgument, type ErrorCode } from './api/errors.js';
 import { Library } from './library/library.js';
 import {
@@ -21,6 +14,7 @@ import {
   type LoadOptions,
   type Modules,
 } from './load.js';
+import type { WasmSource } from './api/options.js';
 import type { GeodesicVoronoi } from './api/types.js';
 import { startWorkerEngine } from './engine/worker_engine.js';
 
@@ -28,7 +22,7 @@ export type * from './api/options.js';
 export type * from './api/results.js';
 export { mostMislabelled } from './api/results.js';
 export type * from './api/types.js';
-export type { CompileOptions, CompiledModule, ErrorCode, LoadOptions, Modules, WasmSource };
+export type { CompileOptions, ErrorCode, LoadOptions, Modules };
 export { GeodesicVoronoiError };
 export { gltfResourceUris } from './input/gltf_document.js';
 export {

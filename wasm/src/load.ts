@@ -3,15 +3,11 @@
 // How the library is loaded; where files are read from is for `index.ts` and `node.ts` to say.
 
 import { toOptions } from './base/checks.js';
-import {
-  type CompiledModule,
-  compile,
-  type CompileAddress,
-  type WasmSource,
-} from './base/compile.js';
+import { compile, type CompileAddress } from './base/compile.js';
 import type { EngineSources } from './engine/engine.js';
 import { Library } from './library/library.js';
 import { LocalEngine } from './engine/local_engine.js';
+import type { CompiledModule, WasmSource } from './api/options.js';
 import type { GeodesicVoronoi } from './api/types.js';
 
 export interface LoadOptions {

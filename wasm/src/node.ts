@@ -4,7 +4,7 @@
 
 import { readFile } from 'node:fs/promises';
 import { pathToFileURL } from 'node:url';
-import { compileFromWeb, type CompiledModule } from './base/compile.js';
+import { compileFromWeb } from './base/compile.js';
 import {
   compileSources,
   loadLocal,
@@ -12,6 +12,7 @@ import {
   type LoadOptions,
   type Modules,
 } from './load.js';
+import type { CompiledModule } from './api/options.js';
 import type { GeodesicVoronoi } from './api/types.js';
 
 export * from './index.js';

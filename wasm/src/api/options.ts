@@ -207,3 +207,15 @@ export interface MeshArrays {
   uvs?: ArrayLike<number> | undefined;
   density?: ArrayLike<number> | undefined;
 }
+
+/**
+ * A compiled module: a `WebAssembly.Module`. That name is one of the DOM's types, which a project for
+ * Node need not have.
+ */
+export type CompiledModule = object;
+
+/**
+ * Where a WebAssembly module comes from: its address, its bytes (any typed array, also a `Buffer`),
+ * what the server answered, or the module itself.
+ */
+export type WasmSource = URL | string | ArrayBuffer | ArrayBufferView | Response | CompiledModule;

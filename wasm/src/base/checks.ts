@@ -2,9 +2,8 @@
 //
 // Checks of what callers pass. Each names the argument, says what it is, and what it should be.
 
-import type { CompiledModule } from './compile.js';
 import { invalidArgument } from '../api/errors.js';
-import type { TaskOptions } from '../api/options.js';
+import type { CompiledModule, TaskOptions } from '../api/options.js';
 
 /** The default of every option; undefined for an option without one, or that has to be given. */
 export type DefaultsOf<Options> = { [Name in keyof Required<Options>]: Options[Name] | undefined };

@@ -4,18 +4,7 @@
 
 import { isA, show } from './checks.js';
 import { GeodesicVoronoiError, invalidArgument } from '../api/errors.js';
-
-/**
- * A compiled module: a `WebAssembly.Module`. That name is one of the DOM's types, which a project for
- * Node need not have.
- */
-export type CompiledModule = object;
-
-/**
- * Where a WebAssembly module comes from: its address, its bytes (any typed array, also a `Buffer`),
- * what the server answered, or the module itself.
- */
-export type WasmSource = URL | string | ArrayBuffer | ArrayBufferView | Response | CompiledModule;
+import type { CompiledModule, WasmSource } from '../api/options.js';
 
 /** Compiles the module at an address; how depends on where the library runs. */
 export type CompileAddress = (address: URL | string) => Promise<CompiledModule>;

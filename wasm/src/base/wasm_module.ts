@@ -3,7 +3,8 @@
 // Calls of our WebAssembly modules: plain values and arrays in, copies out, failures as errors.
 // Functions are called by their C++ names (see `abi.h`); only those of `abi.cpp` are known here.
 
-import { awake, type CompiledModule } from './compile.js';
+import { awake } from './compile.js';
+import type { CompiledModule } from '../api/options.js';
 import { GeodesicVoronoiError, outOfMemory, type ErrorCode } from '../api/errors.js';
 import type { SlicedWork } from './slices.js';
 

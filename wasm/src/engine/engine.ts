@@ -3,7 +3,6 @@
 // What stands behind the objects that callers hold: the library on this thread (`LocalEngine`) or
 // in a worker (`startWorkerEngine`).
 
-import type { WasmSource } from '../base/compile.js';
 import type {
   CvtMethod,
   DiagramData,
@@ -15,7 +14,7 @@ import type {
 } from '../api/results.js';
 import type { FileInput } from '../input/read_model.js';
 import type { Triangles } from '../base/triangles.js';
-import type { TaskOptions } from '../api/options.js';
+import type { TaskOptions, WasmSource } from '../api/options.js';
 import type { CvtState } from '../api/types.js';
 import type { Argument } from '../base/wasm_module.js';
 

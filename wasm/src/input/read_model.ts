@@ -2,7 +2,7 @@
 //
 // From the files of a model to its triangles. What a format needs is loaded with its first file.
 
-import type { CompiledModule } from '../base/compile.js';
+import type { CompiledModule } from '../api/options.js';
 import { invalidFile } from '../api/errors.js';
 import { readGltf } from './gltf_reader.js';
 import type { MeshOrigin, MeshPart } from '../api/results.js';

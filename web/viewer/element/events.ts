@@ -4,6 +4,7 @@
 
 import type { MeshInfo, MeshPart, Metric, Violation } from 'geodesic-voronoi';
 import type { HoveredPoint } from '../tools/hover.js';
+import type { FailureType } from '../session/failure.js';
 import type { CvtStatus, Status } from '../session/session_listener.js';
 
 /** The result of an iteration of a centroidal tessellation. */
@@ -22,9 +23,6 @@ export interface CvtIteration {
   /** The farthest that a site moved in this iteration, in the model's units. */
   largestMove: number;
 }
-
-/** What failed: opening a model, computing with one that is open, or drawing. */
-export type FailureType = 'loadfailure' | 'computefailure' | 'nowebgl' | 'webglcontextlost';
 
 /** The `detail` of this element's events, by their name. */
 export interface ViewerEvents {

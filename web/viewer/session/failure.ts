@@ -2,6 +2,9 @@
 //
 // Errors as sentences.
 
+/** What failed: opening a model, computing with one that is open, or drawing. */
+export type FailureType = 'loadfailure' | 'computefailure' | 'nowebgl' | 'webglcontextlost';
+
 /** What happened and, from the library, why. */
 export function sentence(what: string, cause: unknown): Error {
   const why = cause instanceof Error ? cause.message : String(cause);

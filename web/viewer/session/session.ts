@@ -6,8 +6,7 @@ import type { Mesh } from 'geodesic-voronoi';
 import { CvtPlayer } from './cvt_player.js';
 import type { CvtSettings } from './cvt_run.js';
 import type { PrepareDiagram } from '../buffers/diagram_geometry.js';
-import type { FailureType } from '../element/events.js';
-import { sentence } from './failure.js';
+import { type FailureType, sentence } from './failure.js';
 import { LibraryLease } from './library_pool.js';
 import { LiveDiagram } from './live_diagram.js';
 import {

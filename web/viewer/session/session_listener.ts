@@ -4,7 +4,7 @@
 
 import type { CvtState, DiagramChange } from 'geodesic-voronoi';
 import type { PreparedDiagram } from '../buffers/diagram_geometry.js';
-import type { FailureType } from '../element/events.js';
+import type { FailureType } from './failure.js';
 import type { OpenedMesh } from './mesh_opening.js';
 import type { DiagramSettings, ShownDiagram } from './shown_diagram.js';
 import type { Tints } from './site_history.js';

@@ -11,7 +11,6 @@ import type {
   TaskOptions,
 } from 'geodesic-voronoi';
 import type { DiagramSummary } from '../buffers/diagram_summary.js';
-import type { ViewerEvents } from '../element/events.js';
 import type { DrawnDiagram } from '../drawing/model_drawing.js';
 import { type Sites, surfacePointsOf } from './site_history.js';
 import { type SiteStep, stepsBetween } from './site_step.js';
@@ -111,10 +110,7 @@ export function drawnDiagram(shown: ShownDiagram): DrawnDiagram | undefined {
 }
 
 /** What is told of a diagram that took so long. */
-export function factsOf(
-  { sites, summary, metric, detail }: ShownDiagram,
-  milliseconds: number,
-): ViewerEvents['diagram'] {
+export function factsOf({ sites, summary, metric, detail }: ShownDiagram, milliseconds: number) {
   return {
     sites: sites.length,
     regions: summary?.regionCount ?? 0,

@@ -3,7 +3,8 @@
 // Keys and the commands of the viewer that they give.
 
 import type { Attributes } from '../element/attribute_values.js';
-import type { Viewer } from '../viewer.js';
+import type { SiteSelection } from './site_selection.js';
+import type { SurfaceTools, Workpiece } from './surface_tools.js';
 
 /** A command of the viewer, given by a key. */
 export type Command =
@@ -27,13 +28,22 @@ export type Command =
   | 'move-up'
   | 'move-down';
 
+/** The object that carries commands out. */
+interface Commanded extends Workpiece {
+  readonly selection: SiteSelection;
+  readonly tools: SurfaceTools;
+  removeSite(index: number): void;
+  refit(): void;
+  cancel(): void;
+}
+
 /** Steps of the keys, in radians and as a factor. */
 const turnStep = Math.PI / 24;
 const dollyStep = 1.15;
 /** In CSS pixels. */
 const moveStep = 8;
 
-const actions: Readonly<Record<Command, (viewer: Viewer) => void>> = {
+const actions: Readonly<Record<Command, (viewer: Commanded) => void>> = {
   undo: ({ session }) => session.undo(),
   redo: ({ session }) => session.redo(),
   remove: (viewer) => viewer.removeSite(viewer.selection.index),
@@ -56,7 +66,7 @@ const actions: Readonly<Record<Command, (viewer: Viewer) => void>> = {
   'move-down': ({ selection }) => selection.nudge(0, moveStep),
 };
 
-function dolly({ stage, tools }: Viewer, factor: number): void {
+function dolly({ stage, tools }: Commanded, factor: number): void {
   tools.approachAt(stage.camera.middle);
   stage.camera.dolly(factor);
 }
@@ -123,7 +133,7 @@ export function isOfView(command: Command): boolean {
   return ofView.has(command);
 }
 
-export function perform(command: Command, viewer: Viewer): void {
+export function perform(command: Command, viewer: Commanded): void {
   if (!(command in actions)) throw new TypeError(`There is no command “${command}”.`);
   actions[command](viewer);
 }

@@ -3,34 +3,48 @@
 // The selected site, and what keys do with it.
 
 import { Vector3 } from 'three';
-import type { Sites } from '../session/site_history.js';
-import type { Viewer } from '../viewer.js';
+import type { OpenModel } from '../open_model.js';
+import type { Session } from '../session/session.js';
+import type { SitePlace, Sites } from '../session/site_history.js';
+import type { Stage } from '../stage/stage.js';
+import type { SurfaceTools } from './surface_tools.js';
+
+/** The object whose sites are selected. */
+export interface SelectionOwner {
+  readonly stage: Stage;
+  readonly session: Session;
+  readonly model: OpenModel | undefined;
+  readonly tools: SurfaceTools;
+  /** Where a site is drawn on the page; undefined if it is behind the surface. */
+  sitePosition(index: number): { x: number; y: number } | undefined;
+  moveSite(index: number, place: SitePlace, isSameStep: boolean): void;
+}
 
 /** One of the sites or none; it stays selected when it moves and when others come and go. */
 export class SiteSelection {
-  readonly #viewer: Viewer;
+  readonly #owner: SelectionOwner;
   readonly #changed: () => void;
   /** The site's identity. */
   #id: number | undefined;
   /** The site that `nudge` moved last, and the list of sites after that: any other edit replaces the list. */
   #nudged: { index: number; sites: Sites } | undefined;
 
-  constructor(viewer: Viewer, changed: () => void) {
-    this.#viewer = viewer;
+  constructor(owner: SelectionOwner, changed: () => void) {
+    this.#owner = owner;
     this.#changed = changed;
   }
 
   /** The index of the selected site, -1 for none. */
   get index(): number {
-    return this.#viewer.session.sites.findIndex((site) => site.id === this.#id);
+    return this.#owner.session.sites.findIndex((site) => site.id === this.#id);
   }
 
   /** Selecting a hidden site turns the camera until it is seen. */
   set index(index: number) {
-    const { model, session, stage } = this.#viewer;
+    const { model, session, stage } = this.#owner;
     const site = session.sites[index];
     this.select(site?.id);
-    if (!model || !site || this.#viewer.sitePosition(index)) return;
+    if (!model || !site || this.#owner.sitePosition(index)) return;
     const normal = new Float32Array(3);
     model.drawing.mesh.writeNormal(site.face, site.bary, normal, 0);
     stage.camera.lookAgainst(new Vector3().fromArray(normal));
@@ -44,7 +58,7 @@ export class SiteSelection {
 
   /** Selects the next site in the list, or the one before. */
   step(step: 1 | -1): void {
-    const count = this.#viewer.session.sites.length;
+    const count = this.#owner.session.sites.length;
     if (count === 0) return;
     const { index } = this;
     if (index < 0) this.index = step > 0 ? 0 : count - 1;
@@ -57,13 +71,13 @@ export class SiteSelection {
    */
   nudge(right: number, down: number): void {
     const { index } = this;
-    const { session, stage, tools } = this.#viewer;
-    const from = this.#viewer.sitePosition(index);
+    const { session, stage, tools } = this.#owner;
+    const from = this.#owner.sitePosition(index);
     if (!from) return;
     const place = tools.pick(stage.toDevice(from.x + right, from.y + down));
     if (!place) return;
     const isSame = this.#nudged?.sites === session.sites && this.#nudged.index === index;
-    this.#viewer.moveSite(index, place, isSame && !session.canRedo);
+    this.#owner.moveSite(index, place, isSame && !session.canRedo);
     this.#nudged = { index, sites: session.sites };
   }
 }

@@ -11,7 +11,6 @@ import type { SurfaceHit } from './picking.js';
 import { type GestureTarget, pointerReach } from './pointer_gestures.js';
 import type { Session } from '../session/session.js';
 import type { SitePlace } from '../session/site_history.js';
-import type { SiteSelection } from './site_selection.js';
 import type { Stage } from '../stage/stage.js';
 
 /** How far a site can be grasped at most, as a share of the distance to the nearest other one. */
@@ -32,7 +31,7 @@ export interface Workpiece {
   readonly hover: Hover;
   readonly attributes: Attributes;
   readonly model: OpenModel | undefined;
-  readonly selection: SiteSelection;
+  readonly selection: { select(id: number | undefined): void };
   addSite(place: SitePlace): void;
   /** Changes the sites; a tessellation that plays goes on with them. */
   edit(change: () => void): void;
