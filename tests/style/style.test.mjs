@@ -54,15 +54,24 @@ test('every source says what its licence is', () => {
   assert.deepEqual(silent, []);
 });
 
-test('each folder of wasm/src uses only those before it, in the order that CONTRIBUTING gives', () => {
-  const row = /^\| `wasm\/src\/` \|.*each folder uses those before it: (.*) \|$/m;
-  const order = read('.github/CONTRIBUTING.md').match(row)[1].match(/\w+/g);
-  const wrong = matching(/^wasm\/src\/\w+\/.*\.ts$/).flatMap((path) => {
-    const place = order.indexOf(path.split('/')[2]);
-    const used = Array.from(read(path).matchAll(/'\.\.\/(\w+)\//g), ([, folder]) => folder);
-    return used.filter((folder) => order.indexOf(folder) >= place).map((folder) => [path, folder]);
-  });
-  assert.deepEqual(wrong, []);
+test('folders use only those before them, in the order that CONTRIBUTING gives', () => {
+  const contributing = read('.github/CONTRIBUTING.md');
+  for (const root of ['core/src', 'wasm/src', 'web/viewer']) {
+    const row = new RegExp(
+      `^\\| \`${root}/\` \\|.*each folder uses those before it: (.*) \\|$`,
+      'm',
+    );
+    const order = contributing.match(row)[1].match(/(?<=`)\w+(?=`)/g);
+    const wrong = matching(new RegExp(`^${root}/\\w+/.*\\.(ts|h|cpp)$`)).flatMap((path) => {
+      const place = order.indexOf(path.slice(root.length + 1).split('/')[0]);
+      assert.ok(place >= 0, `${path} is in a folder that CONTRIBUTING has not`);
+      const used = read(path).matchAll(/(?:'\.\.\/|^#include ")(\w+)\//gm);
+      return Array.from(used, ([, folder]) => [path, folder]).filter(
+        ([, folder]) => order.indexOf(folder) > place,
+      );
+    });
+    assert.deepEqual(wrong, []);
+  }
 });
 
 test('what users read in declarations points to no file of the core, which the package has not', () => {

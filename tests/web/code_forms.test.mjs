@@ -13,7 +13,7 @@ import {
   samplingDefaults,
   tessellationDefaults,
 } from '../../dist/library/arguments.js';
-import { attributeDefaults } from '../../dist/viewer/element/attribute_defaults.js';
+import { attributeDefaults } from '../../dist/viewer/attributes/attribute_defaults.js';
 
 const path = fileURLToPath(new URL('../../web/page/menus/code_forms.ts', import.meta.url));
 const { codeOf, watchOrigin } = (await runnerImport(path, { configFile: false, logLevel: 'error' }))

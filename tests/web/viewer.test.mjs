@@ -10,7 +10,7 @@ import { Vector3 } from 'three';
 import { runnerImport } from 'vite';
 import { apart, bumpySphere, grid, octahedron } from '../wasm/meshes.mjs';
 
-const { DensityPaint, greatestDensity } = await viewerModule('tools/density_paint');
+const { DensityPaint, greatestDensity } = await viewerModule('model/density_paint');
 const { DiagramSummary } = await viewerModule('buffers/diagram_summary');
 const { framingOf } = await viewerModule('stage/framing');
 const { hexagonEnergy, rootDensityIntegral } = await viewerModule('session/hexagon_energy');

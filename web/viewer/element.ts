@@ -10,12 +10,12 @@ import type {
   Sampling,
   SurfacePoints,
 } from 'geodesic-voronoi';
-import { buildAttributes, samplingAttributes } from './element/attribute_defaults.js';
+import { buildAttributes, samplingAttributes } from './attributes/attribute_defaults.js';
 import { formatCameraOrbit } from './stage/camera_orbit.js';
 import { type Command, commandOf, instructionsOf, perform } from './tools/commands.js';
 import { fileOfPicture } from './buffers/drawing_builder.js';
 import { ElementShadow } from './element/element_shadow.js';
-import type { CvtIteration, ViewerEventMap, ViewerEvents } from './element/events.js';
+import type { CvtIteration, ViewerEventMap, ViewerEvents } from './events.js';
 import { contextLost, type FailureType, noWebGl } from './session/failure.js';
 import type { HoveredPoint } from './tools/hover.js';
 import type { Reader } from './session/mesh_opening.js';

@@ -3,17 +3,17 @@
 // The content of an element: it connects the session, the scene and the tools.
 
 import type { SurfacePath } from 'geodesic-voronoi';
-import { buildAttributes, samplingAttributes } from './element/attribute_defaults.js';
-import type { Attributes } from './element/attribute_values.js';
+import { buildAttributes, samplingAttributes } from './attributes/attribute_defaults.js';
+import type { Attributes } from './attributes/attribute_values.js';
 import { formatCameraOrbit } from './stage/camera_orbit.js';
 import { commandOf, isOfView, perform } from './tools/commands.js';
 import { DerivedDrawings } from './layers/derived_drawings.js';
 import { Legend } from './layers/legend.js';
-import type { Emit } from './element/events.js';
+import type { Emit } from './events.js';
 import { hexagonEnergy } from './session/hexagon_energy.js';
 import { Hover, type HoveredPoint } from './tools/hover.js';
 import type { OpenedMesh, Reader, SiteSampling } from './session/mesh_opening.js';
-import { OpenModel } from './open_model.js';
+import { OpenModel } from './model/open_model.js';
 import { OriginalLayer } from './layers/original_layer.js';
 import { PageScrolling } from './tools/page_scrolling.js';
 import type { DrawnPixels } from './stage/picture_file.js';

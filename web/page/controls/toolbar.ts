@@ -2,7 +2,7 @@
 //
 // The buttons on the view.
 
-import { attributeOf } from '../../viewer/element/attribute_defaults.js';
+import { attributeOf } from '../../viewer/attributes/attribute_defaults.js';
 import type { GeodesicVoronoiElement } from '../../viewer/element.js';
 import { byId, listen, onClick } from '../base/dom.js';
 

@@ -3,7 +3,7 @@
 // The controls of the layers that are shown, and of the metric.
 
 import { mostMislabelled } from 'geodesic-voronoi';
-import { attributeOf } from '../../viewer/element/attribute_defaults.js';
+import { attributeOf } from '../../viewer/attributes/attribute_defaults.js';
 import { type GeodesicVoronoiElement, type Layer, layers } from '../../viewer/element.js';
 import { byId, listen, onClick } from '../base/dom.js';
 import { hasNote, showNote, showNoteOnSites } from '../base/messages.js';

@@ -7,7 +7,7 @@ import {
   attributeDefaults,
   attributeOf,
   buildAttributes,
-} from '../../viewer/element/attribute_defaults.js';
+} from '../../viewer/attributes/attribute_defaults.js';
 import type { GeodesicVoronoiElement } from '../../viewer/element.js';
 import { listen } from '../base/dom.js';
 import { downloadName } from './downloads.js';

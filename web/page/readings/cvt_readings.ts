@@ -2,7 +2,7 @@
 //
 // The panel's readings of a centroidal tessellation: its state, energy and moves.
 
-import { attributeOf } from '../../viewer/element/attribute_defaults.js';
+import { attributeOf } from '../../viewer/attributes/attribute_defaults.js';
 import type { CvtIteration, CvtStatus, GeodesicVoronoiElement } from '../../viewer/element.js';
 import { byId } from '../base/dom.js';
 import { EnergyCurve } from './energy_curve.js';

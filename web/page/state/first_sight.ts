@@ -3,7 +3,7 @@
 // The opening of the page: a model whose random regions become even ones, once.
 
 import type { CvtState } from 'geodesic-voronoi';
-import { attributeOf } from '../../viewer/element/attribute_defaults.js';
+import { attributeOf } from '../../viewer/attributes/attribute_defaults.js';
 import type { GeodesicVoronoiElement } from '../../viewer/element.js';
 import { hexagonEnergy } from '../../viewer/session/hexagon_energy.js';
 import type { CvtReadings } from '../readings/cvt_readings.js';

@@ -4,7 +4,7 @@
 // where they are, the distance, and the view.
 
 import type { SurfacePoints } from 'geodesic-voronoi';
-import { buildAttributes, samplingAttributes } from '../../viewer/element/attribute_defaults.js';
+import { buildAttributes, samplingAttributes } from '../../viewer/attributes/attribute_defaults.js';
 import type { GeodesicVoronoiElement, ViewerEvents } from '../../viewer/element.js';
 import { lastSegment } from '../../viewer/session/model_files.js';
 import { byId } from '../base/dom.js';

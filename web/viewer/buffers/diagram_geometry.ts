@@ -8,7 +8,6 @@ import { type Cells, type CellTriangles, cellTriangles } from './cell_triangles.
 import type { DiagramSummary } from './diagram_summary.js';
 import { roomFor } from './record_room.js';
 import type { SceneMesh } from './scene_mesh.js';
-import type { Sites } from '../session/site_history.js';
 
 /** The parts of a diagram that its geometry is made from. */
 export interface DiagramLines extends Cells {
@@ -30,11 +29,13 @@ export interface PreparedDiagram {
   geometry: DiagramGeometry | undefined;
 }
 
-/** Prepares a diagram of these sites for drawing; undefined if there is no model any more. */
-export type PrepareDiagram = (
-  data: DiagramData,
-  sites: Sites,
-) => Promise<PreparedDiagram | undefined>;
+/** A diagram that has been changed; `data` is read only to draw the whole diagram. */
+export interface DrawnDiagram {
+  readonly data: DiagramData;
+  summary: DiagramSummary;
+  /** The site's identity per label. */
+  siteIds: readonly number[];
+}
 
 export function diagramGeometry(
   mesh: SceneMesh,

@@ -12,7 +12,11 @@ import {
   type Object3D,
 } from 'three';
 import { css } from '../buffers/colour_vision.js';
-import type { DiagramGeometry, PreparedDiagram } from '../buffers/diagram_geometry.js';
+import type {
+  DiagramGeometry,
+  DrawnDiagram,
+  PreparedDiagram,
+} from '../buffers/diagram_geometry.js';
 import type { DiagramSummary } from '../buffers/diagram_summary.js';
 import type { DistanceScale } from './distance_scale.js';
 import { DistanceSurface } from './distance_surface.js';
@@ -48,14 +52,6 @@ const pointShare = 0.45;
 
 /** The greatest width of bisectors, as a share of the radius of a disc as large as a usual region. */
 const bisectorShare = 0.25;
-
-/** A diagram that has been changed; `data` is read only to draw the whole diagram. */
-export interface DrawnDiagram {
-  readonly data: DiagramData;
-  summary: DiagramSummary;
-  /** The site's identity per label. */
-  siteIds: readonly number[];
-}
 
 type Lines = Pick<DiagramData, 'points' | 'arcs' | 'segments' | 'voronoiPoints'>;
 

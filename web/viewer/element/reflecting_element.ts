@@ -2,8 +2,8 @@
 //
 // Attributes of the element that are also properties.
 
-import { Attributes } from './attribute_values.js';
-import type { ViewerEventMap } from './events.js';
+import { Attributes } from '../attributes/attribute_values.js';
+import type { ViewerEventMap } from '../events.js';
 import type { Layer } from '../drawing/model_drawing.js';
 import type { Status } from '../session/session_listener.js';
 

@@ -3,17 +3,17 @@
 // Drawings derived from a diagram (parts, distances, dual), computed only while they are shown.
 
 import type { Diagram, Violation } from 'geodesic-voronoi';
-import type { Attributes } from '../element/attribute_values.js';
+import type { Attributes } from '../attributes/attribute_values.js';
 import { Derived } from './derived.js';
 import { type DistanceScale, distanceScale } from '../drawing/distance_scale.js';
 import { cornersToAsk, type DistanceTriangles } from '../buffers/distance_triangles.js';
-import type { Emit } from '../element/events.js';
+import type { Emit } from '../events.js';
 import { type ExplodedParts, widestSpread } from '../drawing/exploded_parts.js';
 import type { Legend } from './legend.js';
 import { boundarySides, chainEnds } from '../drawing/lines.js';
 import { sentence } from '../session/failure.js';
 import { nextFrame } from '../stage/next_frame.js';
-import type { OpenModel } from '../open_model.js';
+import type { OpenModel } from '../model/open_model.js';
 import type { Session } from '../session/session.js';
 import type { ShownDiagram } from '../session/shown_diagram.js';
 import type { Stage } from '../stage/stage.js';

@@ -2,7 +2,7 @@
 //
 // The legend on the view: it tells what the colours of distances or of a density mean.
 
-import { greatestDensity } from '../tools/density_paint.js';
+import { greatestDensity } from '../model/density_paint.js';
 import { type DistanceScale, distanceColours } from '../drawing/distance_scale.js';
 import { tintColours } from '../buffers/label_colours.js';
 import { measure } from './measure.js';

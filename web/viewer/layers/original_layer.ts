@@ -3,9 +3,9 @@
 // The model's own material, read from its files while the layer is shown.
 
 import type { DrawingPlace } from './derived_drawings.js';
-import type { Emit } from '../element/events.js';
+import type { Emit } from '../events.js';
 import type { OriginalMaterial } from '../drawing/original_material.js';
-import type { OpenModel } from '../open_model.js';
+import type { OpenModel } from '../model/open_model.js';
 
 export class OriginalLayer {
   readonly #place: DrawingPlace;

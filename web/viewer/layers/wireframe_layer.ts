@@ -4,7 +4,7 @@
 
 import type { DrawingPlace } from './derived_drawings.js';
 import { meshEdges } from '../buffers/mesh_edges.js';
-import type { OpenModel } from '../open_model.js';
+import type { OpenModel } from '../model/open_model.js';
 
 export class WireframeLayer {
   readonly #place: DrawingPlace;

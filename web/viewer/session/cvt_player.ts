@@ -4,10 +4,9 @@
 
 import type { Mesh, Metric } from 'geodesic-voronoi';
 import { CvtRun, type CvtSettings, type PreparedIteration } from './cvt_run.js';
-import type { PrepareDiagram } from '../buffers/diagram_geometry.js';
 import type { LiveDiagram } from './live_diagram.js';
 import type { CvtStatus, SessionListener } from './session_listener.js';
-import { shownDiagram } from './shown_diagram.js';
+import { type PrepareDiagram, shownDiagram } from './shown_diagram.js';
 import { placeOf, type SiteHistory } from './site_history.js';
 
 /** What the session does about a tessellation. */

@@ -3,7 +3,8 @@
 // A centroidal tessellation that plays, pauses and goes on.
 
 import type { CvtMethod, CvtState, Mesh, Metric } from 'geodesic-voronoi';
-import type { PrepareDiagram, PreparedDiagram } from '../buffers/diagram_geometry.js';
+import type { PreparedDiagram } from '../buffers/diagram_geometry.js';
+import type { PrepareDiagram } from './shown_diagram.js';
 import { nextFrame } from '../stage/next_frame.js';
 import { shallowEqual } from './shallow_equal.js';
 import { type Sites, surfacePointsOf } from './site_history.js';

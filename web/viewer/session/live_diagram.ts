@@ -3,7 +3,6 @@
 // The diagram of the present sites: computed whenever they change, by the latest request.
 
 import type { Mesh, TaskOptions } from 'geodesic-voronoi';
-import type { PrepareDiagram } from '../buffers/diagram_geometry.js';
 import { LatestTask } from './latest_task.js';
 import type { SessionListener } from './session_listener.js';
 import {
@@ -11,6 +10,7 @@ import {
   computeDiagram,
   type DiagramRequest,
   type DiagramSettings,
+  type PrepareDiagram,
   shownDiagram,
   type ShownDiagram,
 } from './shown_diagram.js';

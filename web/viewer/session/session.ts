@@ -5,7 +5,6 @@
 import type { Mesh } from 'geodesic-voronoi';
 import { CvtPlayer } from './cvt_player.js';
 import type { CvtSettings } from './cvt_run.js';
-import type { PrepareDiagram } from '../buffers/diagram_geometry.js';
 import { type FailureType, sentence } from './failure.js';
 import { LibraryLease } from './library_pool.js';
 import { LiveDiagram } from './live_diagram.js';
@@ -19,7 +18,12 @@ import {
 } from './mesh_opening.js';
 import { RestartableTask } from './restartable_task.js';
 import type { CvtStatus, SessionListener, Status } from './session_listener.js';
-import type { DiagramRequest, DiagramSettings, ShownDiagram } from './shown_diagram.js';
+import type {
+  DiagramRequest,
+  DiagramSettings,
+  PrepareDiagram,
+  ShownDiagram,
+} from './shown_diagram.js';
 import {
   type PointList,
   SiteHistory,

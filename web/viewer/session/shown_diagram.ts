@@ -10,10 +10,16 @@ import type {
   Metric,
   TaskOptions,
 } from 'geodesic-voronoi';
+import type { DrawnDiagram, PreparedDiagram } from '../buffers/diagram_geometry.js';
 import type { DiagramSummary } from '../buffers/diagram_summary.js';
-import type { DrawnDiagram } from '../drawing/model_drawing.js';
 import { type Sites, surfacePointsOf } from './site_history.js';
 import { type SiteStep, stepsBetween } from './site_step.js';
+
+/** Prepares a diagram of these sites for drawing; undefined if there is no model any more. */
+export type PrepareDiagram = (
+  data: DiagramData,
+  sites: Sites,
+) => Promise<PreparedDiagram | undefined>;
 
 export interface DiagramSettings {
   metric: Metric;

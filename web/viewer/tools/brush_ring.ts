@@ -3,7 +3,7 @@
 // The outline of the brush that paints density.
 
 import { Vector3 } from 'three';
-import type { SurfaceHit } from './picking.js';
+import type { SurfaceHit } from '../model/picking.js';
 import type { SceneMesh } from '../buffers/scene_mesh.js';
 
 const sides = 48;

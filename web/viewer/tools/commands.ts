@@ -2,7 +2,7 @@
 //
 // Keys and the commands of the viewer that they give.
 
-import type { Attributes } from '../element/attribute_values.js';
+import type { Attributes } from '../attributes/attribute_values.js';
 import type { SiteSelection } from './site_selection.js';
 import type { SurfaceTools, Workpiece } from './surface_tools.js';
 

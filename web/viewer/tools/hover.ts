@@ -4,7 +4,7 @@
 
 import type { SurfacePath } from 'geodesic-voronoi';
 import { LatestTask } from '../session/latest_task.js';
-import type { SurfaceHit } from './picking.js';
+import type { SurfaceHit } from '../model/picking.js';
 import type { Session } from '../session/session.js';
 import type { SitePlace } from '../session/site_history.js';
 

@@ -3,7 +3,7 @@
 // The selected site, and what keys do with it.
 
 import { Vector3 } from 'three';
-import type { OpenModel } from '../open_model.js';
+import type { OpenModel } from '../model/open_model.js';
 import type { Session } from '../session/session.js';
 import type { SitePlace, Sites } from '../session/site_history.js';
 import type { Stage } from '../stage/stage.js';

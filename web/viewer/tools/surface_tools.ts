@@ -3,11 +3,11 @@
 // The tools of the pointer on the surface.
 
 import type { Vector2 } from 'three';
-import type { Attributes } from '../element/attribute_values.js';
+import type { Attributes } from '../attributes/attribute_values.js';
 import { brushRing } from './brush_ring.js';
 import type { Hover } from './hover.js';
-import type { OpenModel } from '../open_model.js';
-import type { SurfaceHit } from './picking.js';
+import type { OpenModel } from '../model/open_model.js';
+import type { SurfaceHit } from '../model/picking.js';
 import { type GestureTarget, pointerReach } from './pointer_gestures.js';
 import type { Session } from '../session/session.js';
 import type { SitePlace } from '../session/site_history.js';

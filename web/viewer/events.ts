@@ -3,9 +3,9 @@
 // The events of the element.
 
 import type { MeshInfo, MeshPart, Metric, Violation } from 'geodesic-voronoi';
-import type { HoveredPoint } from '../tools/hover.js';
-import type { FailureType } from '../session/failure.js';
-import type { CvtStatus, Status } from '../session/session_listener.js';
+import type { HoveredPoint } from './tools/hover.js';
+import type { FailureType } from './session/failure.js';
+import type { CvtStatus, Status } from './session/session_listener.js';
 
 /** The result of an iteration of a centroidal tessellation. */
 export interface CvtIteration {

@@ -6,11 +6,18 @@ import type { CvtMethod, Metric, Orientation, Sampling } from 'geodesic-voronoi'
 import { attributeDefaults, attributeOf } from './attribute_defaults.js';
 import { type CameraOrbit, parseCameraOrbit } from '../stage/camera_orbit.js';
 import type { CvtSettings } from '../session/cvt_run.js';
-import type { Brush } from '../tools/density_paint.js';
 import { type Layer, layers } from '../drawing/model_drawing.js';
 import type { Opening, SiteSampling } from '../session/mesh_opening.js';
 import type { DiagramSettings } from '../session/shown_diagram.js';
 import type { UpAxis } from '../stage/stage_camera.js';
+
+/** What density is painted with. */
+export interface Brush {
+  /** In units of the scene, where the model has radius 1. */
+  radius: number;
+  /** The density that strokes lead to under the brush's centre; 1 where nothing is painted. */
+  density: number;
+}
 
 /** Attributes are read anew at each access, so values are never stale. */
 export class Attributes {

@@ -2,19 +2,13 @@
 //
 // A density painted on a model.
 
+import type { Brush } from '../attributes/attribute_values.js';
 import type { SurfaceHit } from './picking.js';
 import { cornersByPlace, firstAtPlace } from '../buffers/places.js';
 import type { SceneMesh } from '../buffers/scene_mesh.js';
 
 /** The densities that a brush paints with lie between this and its inverse. */
 export const greatestDensity = 1000;
-
-export interface Brush {
-  /** In units of the scene, where the model has radius 1. */
-  radius: number;
-  /** The density that strokes lead to under the brush's centre; 1 where nothing is painted. */
-  density: number;
-}
 
 /** The share of the way to the brush's density that one dab goes at its centre. */
 const flow = 0.5;

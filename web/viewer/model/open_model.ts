@@ -4,18 +4,18 @@
 
 import type { DiagramData, Mesh } from 'geodesic-voronoi';
 import { type Camera, Vector3 } from 'three';
-import { DensityPaint } from './tools/density_paint.js';
-import type { PreparedDiagram } from './buffers/diagram_geometry.js';
-import { DiagramSummary } from './buffers/diagram_summary.js';
-import type { DrawingBuilder } from './buffers/drawing_builder.js';
-import { rootDensityIntegral } from './session/hexagon_energy.js';
-import type { OpenedMesh } from './session/mesh_opening.js';
-import { ModelDrawing } from './drawing/model_drawing.js';
-import type { NamedFiles } from './session/model_files.js';
-import { Picker } from './tools/picking.js';
-import type { Sites } from './session/site_history.js';
-import type { Stage } from './stage/stage.js';
-import type { Theme } from './drawing/theme.js';
+import { DensityPaint } from './density_paint.js';
+import type { PreparedDiagram } from '../buffers/diagram_geometry.js';
+import { DiagramSummary } from '../buffers/diagram_summary.js';
+import type { DrawingBuilder } from '../buffers/drawing_builder.js';
+import { rootDensityIntegral } from '../session/hexagon_energy.js';
+import type { OpenedMesh } from '../session/mesh_opening.js';
+import { ModelDrawing } from '../drawing/model_drawing.js';
+import type { NamedFiles } from '../session/model_files.js';
+import { Picker } from './picking.js';
+import type { Sites } from '../session/site_history.js';
+import type { Stage } from '../stage/stage.js';
+import type { Theme } from '../drawing/theme.js';
 
 /** The viewer's data of an open model: its drawing and everything that the tools need. */
 export class OpenModel {
