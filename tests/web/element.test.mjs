@@ -428,6 +428,33 @@ suite('attributes and events', () => {
     assert.deepEqual(made, { count: 12, layers: ['regions', 'sites'], exploded: 0.5 });
   });
 
+  test('properties that are set to nothing, as React does when they go, remove their attributes', async (context) => {
+    const viewer = await opened(context, 'empty.html');
+    const left = await viewer.page.evaluate(() => {
+      const element = document.createElement('geodesic-voronoi');
+      const given = {
+        src: 'a.glb',
+        sites: 12,
+        layers: ['sites'],
+        exploded: 1,
+        cameraOrbit: '0deg 0deg 1%',
+      };
+      Object.assign(element, given);
+      const names = element.getAttributeNames();
+      const left = [undefined, null].map((nothing) => {
+        for (const name of Object.keys(given)) element[name] = nothing;
+        const still = element.getAttributeNames();
+        Object.assign(element, given);
+        return still;
+      });
+      return { names, left };
+    });
+    assert.deepEqual(left, {
+      names: ['src', 'sites', 'layers', 'exploded', 'camera-orbit'],
+      left: [[], []],
+    });
+  });
+
   test('sites that are asked for while a model is opened are sampled on it', async (context) => {
     const viewer = await opened(context, 'empty.html');
     const count = await viewer.page.evaluate(async () => {

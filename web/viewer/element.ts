@@ -151,9 +151,9 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     return surfacePointsOf(this.#session?.sites ?? []);
   }
 
-  set sites(sites: PointList | number | string) {
-    if (typeof sites === 'object') this.#editable.replaceSites(sites);
-    else this.setAttribute('sites', String(sites));
+  set sites(sites: PointList | number | string | undefined) {
+    if (sites && typeof sites === 'object') this.#editable.replaceSites(sites);
+    else this.reflect('sites', sites);
   }
 
   /**
@@ -273,8 +273,8 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     return this.#viewer ? formatCameraOrbit(this.#viewer.stage.camera.orbit) : '';
   }
 
-  set cameraOrbit(orbit: string) {
-    this.setAttribute('camera-orbit', orbit);
+  set cameraOrbit(orbit: string | undefined) {
+    this.reflect('camera-orbit', orbit);
   }
 
   /** Shows the model, if there is one, where `reveal` is 'manual'. */

@@ -55,8 +55,14 @@ export class ReflectingElement extends Base {
       const attribute = name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
       if (!(name in prototype && observedAttributes.includes(attribute))) continue;
       Reflect.deleteProperty(this, name);
-      this.setAttribute(attribute, Array.isArray(value) ? value.join(' ') : String(value));
+      this.reflect(attribute, value);
     }
+  }
+
+  /** Sets an attribute to a property's value; without a value, as React sets properties that are gone, removes it. */
+  protected reflect(attribute: string, value: unknown): void {
+    if (value === undefined || value === null) this.removeAttribute(attribute);
+    else this.setAttribute(attribute, Array.isArray(value) ? value.join(' ') : String(value));
   }
 
   /** Address of the model. */
@@ -64,8 +70,8 @@ export class ReflectingElement extends Base {
     return this.getAttribute('src') ?? '';
   }
 
-  set src(address: string) {
-    this.setAttribute('src', address);
+  set src(address: string | undefined) {
+    this.reflect('src', address);
   }
 
   /** Describes the view to those who do not see it. */
@@ -73,8 +79,8 @@ export class ReflectingElement extends Base {
     return this.getAttribute('alt') ?? '';
   }
 
-  set alt(text: string) {
-    this.setAttribute('alt', text);
+  set alt(text: string | undefined) {
+    this.reflect('alt', text);
   }
 
   /** Address of a picture that is shown until there is a model, and if there can be none. */
@@ -82,8 +88,8 @@ export class ReflectingElement extends Base {
     return this.getAttribute('poster') ?? '';
   }
 
-  set poster(address: string) {
-    this.setAttribute('poster', address);
+  set poster(address: string | undefined) {
+    this.reflect('poster', address);
   }
 
   /** With 'lazy' nothing is fetched or made before the element is near the view. */
@@ -91,8 +97,8 @@ export class ReflectingElement extends Base {
     return this.attributeValues.isLazy ? 'lazy' : 'eager';
   }
 
-  set loading(loading: 'eager' | 'lazy') {
-    this.setAttribute('loading', loading);
+  set loading(loading: 'eager' | 'lazy' | undefined) {
+    this.reflect('loading', loading);
   }
 
   /** With 'manual' the poster stays until `dismissPoster()`. */
@@ -100,8 +106,8 @@ export class ReflectingElement extends Base {
     return this.attributeValues.isRevealedByHand ? 'manual' : 'auto';
   }
 
-  set reveal(reveal: 'auto' | 'manual') {
-    this.setAttribute('reveal', reveal);
+  set reveal(reveal: 'auto' | 'manual' | undefined) {
+    this.reflect('reveal', reveal);
   }
 
   /** What pointer and keys do: change sites and density too, move the camera only, or nothing. */
@@ -110,8 +116,8 @@ export class ReflectingElement extends Base {
     return edit ? 'edit' : camera ? 'camera' : 'none';
   }
 
-  set interactive(interactive: 'edit' | 'camera' | 'none') {
-    this.setAttribute('interactive', interactive);
+  set interactive(interactive: 'edit' | 'camera' | 'none' | undefined) {
+    this.reflect('interactive', interactive);
   }
 
   /** What the element is doing. */
@@ -124,8 +130,8 @@ export class ReflectingElement extends Base {
     return this.attributeValues.layers;
   }
 
-  set layers(shown: readonly Layer[] | string) {
-    this.setAttribute('layers', typeof shown === 'string' ? shown : shown.join(' '));
+  set layers(shown: readonly Layer[] | string | undefined) {
+    this.reflect('layers', shown);
   }
 
   /** How far the regions move away from each other in the exploded view, 0 (none) … 1. */
@@ -133,7 +139,7 @@ export class ReflectingElement extends Base {
     return this.attributeValues.exploded;
   }
 
-  set exploded(share: number | string) {
-    this.setAttribute('exploded', String(share));
+  set exploded(share: number | string | undefined) {
+    this.reflect('exploded', share);
   }
 }
