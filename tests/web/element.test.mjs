@@ -791,6 +791,23 @@ suite('attributes and events', () => {
     assert.equal(await message.isVisible(), false);
   });
 
+  test('an address without a last part is named as a whole', async (context) => {
+    // That the server has no such file is a complaint.
+    const viewer = await browser.open({ path: 'empty.html' });
+    context.after(() => viewer.close());
+    await viewer.page.waitForFunction(() => customElements.get('geodesic-voronoi'));
+    const [message, address] = await viewer.page.evaluate(async () => {
+      const element = document.createElement('geodesic-voronoi');
+      document.body.append(element);
+      const failed = new Promise((resolve) =>
+        element.addEventListener('error', ({ detail }) => resolve(detail.message)),
+      );
+      await element.load('/nowhere/');
+      return [await failed, new URL('/nowhere/', location.href).href];
+    });
+    assert.equal(message, `${address} cannot be fetched: the server answers 404.`);
+  });
+
   test('the camera goes where it is told, and tells where it is', async (context) => {
     const viewer = await opened(context, 'one.html');
     await viewer.settled();

@@ -56,7 +56,7 @@ export async function fetchModelFiles(
   { signal, onProgress }: { signal: AbortSignal; onProgress: (share: number) => void },
 ): Promise<NamedFiles> {
   const url = urlOf(address);
-  const name = lastSegment(url.pathname);
+  const name = nameOf(url);
   const bytes = await fetchBytes(url, signal, onProgress);
   const files: ModelFiles = { [name]: bytes };
   for (const uri of gltfResourceUris(bytes)) {
@@ -111,7 +111,7 @@ async function fetchBytes(
   signal: AbortSignal,
   onProgress: (share: number) => void,
 ): Promise<Uint8Array> {
-  const name = lastSegment(url.pathname);
+  const name = nameOf(url);
   let response: Response;
   try {
     const made = provided.get(url.href) ?? request;
@@ -159,6 +159,11 @@ async function bytesOf(
     offset += chunk.length;
   }
   return bytes;
+}
+
+/** The last part of an address that has one, as that of a folder has not. */
+function nameOf(url: URL): string {
+  return lastSegment(url.pathname) || url.href;
 }
 
 /** The part of a path after its last slash, with escapes decoded. */
