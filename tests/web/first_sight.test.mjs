@@ -326,6 +326,14 @@ suite('first sight', () => {
     await viewer.close();
   });
 
+  test('the address keeps what is chosen without pointer and keys, as by voice', async () => {
+    const viewer = await browser.open({ hash: '#v=1&model=torus.glb&sites=12&seed=3' });
+    await viewer.settled();
+    await viewer.after('diagram', () => viewer.page.selectOption('#samples', 'bunny.ply'));
+    await viewer.page.waitForURL(/model=bunny\.ply/, { timeout: 20_000 });
+    await viewer.close();
+  });
+
   test('the address keeps what was done for reloading and coming back', async () => {
     const viewer = await browser.open({ hash: '#v=1&model=torus.glb&sites=12&seed=3' });
     await viewer.settled();

@@ -11,7 +11,7 @@ import { isPageState, linkAttributes, modelName, notHeld, pageState } from './pa
 /** The address waits for the last of several changes: browsers limit how often it may change. */
 const addressMilliseconds = 300;
 /** What a person does first. Before, the address stays as it was opened. */
-const firstActs = ['pointerdown', 'keydown', 'wheel', 'drop'];
+const firstActs = ['pointerdown', 'click', 'change', 'keydown', 'wheel', 'drop'];
 /** Events of the viewer after which its state may be another. */
 const changes = ['status-change', 'diagram', 'sites-change', 'camera-change'];
 
