@@ -616,6 +616,8 @@ suite('attributes and events', () => {
         () => viewer.addSite({ face: 1 }),
         () => viewer.moveSite(0),
         () => viewer.moveSite(0, { face: 1, bary: [1, 0] }),
+        () => viewer.addSite({ face: 1.5, bary: [1, 0, 0] }),
+        () => (viewer.sites = { face: [Number.NaN], bary: [1, 0, 0] }),
       ];
       return edits.map((edit) => {
         try {
@@ -626,7 +628,10 @@ suite('attributes and events', () => {
       });
     });
     for (const refusal of refusals)
-      assert.equal(refusal, 'a place is { face, bary }, with three coordinates');
+      assert.equal(
+        refusal,
+        'a place is { face, bary }, with the index of a triangle and three coordinates',
+      );
     assert.equal(await viewer.siteCount(), 12);
     const { message } = await viewer.after('error', () =>
       viewer.evaluate((viewer) => viewer.load('http://[')),

@@ -30,8 +30,10 @@ export function placeOf({ face, bary }: PointList, i: number): SitePlace {
 /** What a caller gives as a place; the library refuses one that is not on the surface. */
 function checked(place: SitePlace): SitePlace {
   const { face, bary } = place ?? {};
-  if (typeof face === 'number' && bary?.length === 3) return { face, bary };
-  throw new TypeError('a place is { face, bary }, with three coordinates');
+  if (Number.isInteger(face) && bary?.length === 3) return { face, bary };
+  throw new TypeError(
+    'a place is { face, bary }, with the index of a triangle and three coordinates',
+  );
 }
 
 /** A density as it is painted: see `DensityPaint.tints`. */
