@@ -637,6 +637,11 @@ suite('attributes and events', () => {
       viewer.evaluate((viewer) => viewer.load('http://[')),
     );
     assert.equal(message, '“http://[” is not an address.');
+    const refusal = await viewer.after('error', () =>
+      viewer.evaluate((viewer) => viewer.sampleSites(-5)),
+    );
+    assert.match(refusal.message, /^The sites cannot be placed: .*-5/);
+    assert.equal(await viewer.siteCount(), 12);
     const command = await viewer.evaluate((viewer) => {
       try {
         viewer.perform('turn');

@@ -119,7 +119,7 @@ export class Attributes {
 
   get siteSampling(): SiteSampling {
     return {
-      count: this.#number('sites'),
+      count: Math.max(0, this.#number('sites')),
       seed: this.#number('seed'),
       sampling: this.#text('sampling') as Sampling,
       perComponent: this.#number('per-component'),

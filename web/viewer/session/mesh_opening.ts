@@ -162,7 +162,7 @@ export async function sampleSites(
   { count, seed, sampling = 'random', perComponent = 0, density }: SiteSampling,
   task: TaskOptions,
 ): Promise<PointList> {
-  if (count <= 0) return { face: [], bary: [] };
+  if (count === 0) return { face: [], bary: [] };
   const most = Math.floor(count / mesh.info.components);
   const sampled = mesh.sampleSites(count, {
     seed,
