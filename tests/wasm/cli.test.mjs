@@ -40,7 +40,7 @@ test('the help: of a command in two ways, and in lines of 100 columns at most', 
 });
 
 test('a mesh without a name, as where a variable of the shell is not set, is missing', () => {
-  assert.throws(() => parseCommandLine(['info', ''], ''), /^UsageError: a mesh is missing$/);
+  assert.throws(() => parseCommandLine(['info', ''], ''), { message: 'a mesh is missing' });
 });
 
 test('an option that a command has not: the nearest, or whose it is', () => {
