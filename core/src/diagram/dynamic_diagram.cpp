@@ -13,6 +13,7 @@
 #include "base/sliced_loop.h"
 #include "diagram/diagram_pieces.h"
 #include "diagram/diagram_tracing.h"
+#include "diagram/mixed_faces.h"
 #include "distance/site_distances.h"
 #include "gvd/error.h"
 
@@ -56,7 +57,7 @@ class DynamicDiagram::Implementation {
         distances_(std::move(distances)),
         tracer_(mesh, *distances_, options),
         pieces_(mesh.faceCount()),
-        faces_(mesh.faceCount()) {}
+        mixed_(mesh, *distances_) {}
 
   int labelCount() const { return distances_->sites().labelCount(); }
   const SiteDistances& distances() const { return *distances_; }
@@ -87,12 +88,6 @@ class DynamicDiagram::Implementation {
   }
 
  private:
-  /// Restarts `faces_` with these faces.
-  void gather(std::span<const int> faces) {
-    faces_.clear();
-    for (const int f : faces) faces_.add(f);
-  }
-
   /// Adds the labels that are known in a face or in one that has a corner in common with it.
   void addLabelsAround(int face, IndexSet& labels) const {
     const auto add = [&](int v) {
@@ -110,27 +105,17 @@ class DynamicDiagram::Implementation {
     return isOne;
   }
 
-  /// All faces with a corner where one of the given labels and another label are known; ascending.
-  std::vector<int> facesWhereMet(std::span<const int> labels) {
-    gather({});
-    for (const int label : labels)
-      for (const int f : mixedFaces_[label]) faces_.add(f);
-    return faces_.sorted();
-  }
-
   const TriangleMesh& mesh_;
   DiagramOptions options_;
   bool isChanging_ = false;  ///< from `start` until the change is done
   std::shared_ptr<SiteDistances> distances_;
   PartialTracer tracer_;
   DiagramPieces pieces_;
-  IndexSet faces_;  ///< working memory of `gather`
+  MixedFaces mixed_;
   /// Faces with merged points, and some that had them before; ascending.
   std::vector<int> mergedFaces_;
   /// Faces where the tracer added labels when the whole diagram was traced last; ascending.
   std::vector<int> completedFaces_;
-  /// Per label, the faces with a corner where it and other labels are known.
-  std::vector<std::vector<int>> mixedFaces_;
 };
 
 /// Makes the diagram follow a change of its distances, in slices.
@@ -141,8 +126,10 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
 
   bool advance(long budget) override {
     return sequence_.run(
-        [&] { return diagram_.distances_->step(budget); }, [&] { forgetMixed(); },
-        [&] { return noteMixed(budget); }, [&] { return tracesAll_ || traceParts(budget); },
+        [&] { return diagram_.distances_->step(budget); },
+        [&] { labels_ = IndexSet(labelCount(), diagram_.distances_->changedLabels()); },
+        [&] { return diagram_.mixed_.update(labels_, budget); },
+        [&] { return tracesAll_ || traceParts(budget); },
         [&] { return !tracesAll_ || traceAll(budget); },
         [&] { return diagram_.pieces_.replace(change_, budget); }, [&] { setAreas(); });
   }
@@ -155,35 +142,6 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
  private:
   int labelCount() const { return diagram_.labelCount(); }
 
-  /// Removes the changed faces from the lists of the changed labels in `mixedFaces_`.
-  void forgetMixed() {
-    const std::vector<int>& changed = diagram_.distances_->changedLabels();
-    labels_ = IndexSet(labelCount(), changed);
-    diagram_.mixedFaces_.resize(labelCount());
-    diagram_.gather(diagram_.distances_->changedFaces());
-    for (const int label : changed)
-      std::erase_if(diagram_.mixedFaces_[label],
-                    [&](int f) { return diagram_.faces_.contains(f); });
-  }
-
-  /// Adds the changed faces to the lists of the changed labels that meet others there now.
-  bool noteMixed(long& budget) {
-    constexpr long kFacesPerUnit = 16;
-    const std::vector<int>& faces = diagram_.distances_->changedFaces();
-    return loop_.run(faces.size(), budget, kFacesPerUnit, [&](int i) {
-      const int f = faces[i];
-      for (int h = 3 * f; h < 3 * f + 3; ++h) {
-        const auto known = diagram_.distances_->at(diagram_.mesh_.tail(h));
-        if (known.size() < 2) continue;
-        for (const LabelledDistance& d : known) {
-          if (!labels_.contains(d.label)) continue;
-          std::vector<int>& mixed = diagram_.mixedFaces_[d.label];
-          if (mixed.empty() || mixed.back() != f) mixed.push_back(f);
-        }
-      }
-    });
-  }
-
   /// Traces the changed labels in the faces where they meet others. If points are merged there,
   /// before or after the change, a bisector may run where a third region has no width left, and the
   /// order of regions around the point depends on all labels known there: these labels are then
@@ -193,7 +151,7 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
     for (;;) {
       if (!tracing_) {
         tracedLabels_ = labels_.sorted();
-        tracedFaces_ = diagram_.facesWhereMet(tracedLabels_);
+        tracedFaces_ = diagram_.mixed_.of(tracedLabels_);
         tracing_ = diagram_.tracer_.start(tracedFaces_, diagram_.marks(tracedLabels_));
       }
       if (!tracing_->step(budget)) return false;
@@ -228,11 +186,11 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
   /// a face with merged points.
   void takeParts(const Diagram& traced, std::span<const int> merged) {
     const TriangleMesh& mesh = diagram_.mesh_;
-    diagram_.gather(diagram_.distances_->changedFaces());
+    change_ = {tracedLabels_, diagram_.distances_->changedFaces(), {}};
     for (const int f : merged)
       for (int h = 3 * f; h < 3 * f + 3; ++h)
-        mesh.visitFaces(mesh.tail(h), [&](int around) { diagram_.faces_.add(around); });
-    change_ = {tracedLabels_, diagram_.faces_.sorted(), {}};
+        mesh.visitFaces(mesh.tail(h), [&](int around) { change_.faces.push_back(around); });
+    makeSet(change_.faces);
     change_.part = extract(traced, diagram_.marks(tracedLabels_), change_.faces);
     for (const int f : change_.faces) {
       const int index = diagram_.tracer_.faceIndex(f);
@@ -276,7 +234,6 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
   Implementation& diagram_;
   bool tracesAll_;
   SlicedSequence sequence_;
-  SlicedLoop loop_;
   IndexSet labels_{0};  ///< labels to trace
   std::unique_ptr<SlicedWork<TracedDiagram>> tracing_;
   std::vector<int> tracedLabels_, tracedFaces_;  ///< ascending

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "diagram/mixed_faces.h"
+
+namespace gvd {
+
+bool MixedFaces::update(const IndexSet& labels, long& budget) {
+  constexpr long kFacesPerUnit = 16;
+  const std::vector<int>& changed = distances_.changedFaces();
+  if (!sequence_.run([&] { forgetChanged(labels); },
+                     [&] {
+                       return loop_.run(changed.size(), budget, kFacesPerUnit,
+                                        [&](int i) { note(changed[i], labels); });
+                     }))
+    return false;
+  sequence_ = {};
+  return true;
+}
+
+/// Removes the changed faces from the lists of the changed labels.
+void MixedFaces::forgetChanged(const IndexSet& labels) {
+  ofLabel_.resize(distances_.sites().labelCount());
+  faces_.clear();
+  for (const int f : distances_.changedFaces()) faces_.add(f);
+  for (const int label : labels.list())
+    std::erase_if(ofLabel_[label], [&](int f) { return faces_.contains(f); });
+}
+
+/// Adds a face to the lists of those labels that meet others at one of its corners.
+void MixedFaces::note(int face, const IndexSet& labels) {
+  for (int h = 3 * face; h < 3 * face + 3; ++h) {
+    const auto known = distances_.at(mesh_.tail(h));
+    if (known.size() < 2) continue;
+    for (const LabelledDistance& d : known) {
+      if (!labels.contains(d.label)) continue;
+      std::vector<int>& faces = ofLabel_[d.label];
+      if (faces.empty() || faces.back() != face) faces.push_back(face);
+    }
+  }
+}
+
+std::vector<int> MixedFaces::of(std::span<const int> labels) {
+  faces_.clear();
+  for (const int label : labels)
+    for (const int f : ofLabel_[label]) faces_.add(f);
+  return faces_.sorted();
+}
+
+}  // namespace gvd
