@@ -63,7 +63,8 @@ const runners = [
   },
   {
     // The tests of the core again, watched by AddressSanitizer and UBSan, with the assertions of Eigen
-    // and of the standard library. That takes several times as long: fewer of the random cases.
+    // and of the standard library. That takes several times as long: fewer random cases and edits,
+    // and not those that measure accuracy.
     name: 'sanitized',
     prepare: () => buildWithCMake('build/sanitized', { options: sanitized }),
     command: () => ctest('build/sanitized'),

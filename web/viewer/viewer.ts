@@ -193,7 +193,6 @@ export class Viewer implements Workpiece {
     if (isPlaying) this.playCvt();
   }
 
-  /** Where a site is drawn on the page; undefined if it is behind the surface. */
   sitePosition(index: number): { x: number; y: number } | undefined {
     if (!this.#model || !this.session.sites[index]) return undefined;
     const place = this.#model.drawing.sites.place(index);
