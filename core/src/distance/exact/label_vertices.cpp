@@ -18,13 +18,14 @@ bool LabelVertices::prepare(long& budget) {
   return end == count;
 }
 
+void LabelVertices::clear() {
+  for (const int v : reached_) all_[v] = {.isSaddle = all_[v].isSaddle};
+  reached_.clear();
+}
+
 void LabelVertices::add(int v) {
-  all_[v] = {.distance = kInfinity,
-             .piece = {0, 0, 0, -1},
-             .epoch = epoch_,
-             .index = static_cast<int>(reached_.size()),
-             .isSaddle = all_[v].isSaddle};
   reached_.push_back(v);
+  all_[v].index = static_cast<int>(reached_.size()) - 1;
 }
 
 void LabelVertices::load(const LabelState& state) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include "distance/exact/label_state.h"
@@ -16,12 +15,11 @@ namespace gvd::exact {
 /// a label touches only those that it reaches, which stay in the cache.
 class LabelVertices {
  public:
-  /// The label's shortest path to a vertex so far.
+  /// The label's shortest path to a vertex so far; as initialized where it has found none.
   struct alignas(64) Vertex {
-    double distance;
-    LastPiece piece;
-    std::uint64_t epoch = 0;                  ///< of the label that the other members belong to
-    int index = 0;                            ///< in the label's state
+    double distance = kInfinity;
+    LastPiece piece = {0, 0, 0, -1};
+    int index = -1;                           ///< in the label's state
     int required = RequiredDistances::kNone;  ///< index in the required distances
     bool isFinal = false, isQueued = false;
     bool isSaddle = false;  ///< of the mesh, whatever the label
@@ -32,39 +30,28 @@ class LabelVertices {
   bool prepare(long& budget);
 
   /// Begins with another label, which has reached no vertex.
-  void clear() {
-    ++epoch_;
-    reached_.clear();
-  }
+  void clear();
   /// Begins with the vertices of a label's state, after `clear`.
   void load(const LabelState& state);
   /// Writes distances and last pieces to the label's state. Those that were required are final.
   void store(LabelState& state);
 
   std::size_t count() const { return reached_.size(); }
-  bool has(int v) const { return all_[v].epoch == epoch_; }
-  /// A vertex that the label has reached.
   const Vertex& operator[](int v) const { return all_[v]; }
   Vertex& operator[](int v) { return all_[v]; }
   /// A vertex that counts as reached from now on, if need be at distance infinity.
   Vertex& reach(int v) {
-    if (!has(v)) add(v);
+    if (all_[v].index < 0) add(v);
     return all_[v];
   }
   /// Infinity unless the label has reached the vertex.
-  double distance(int v) const { return has(v) ? all_[v].distance : kInfinity; }
-  /// The index in the required distances.
-  int required(int v) const {
-    static_assert(RequiredDistances::kNone == 0);
-    return all_[v].required & -static_cast<int>(has(v));
-  }
-  bool isRequired(int v) const { return required(v) != RequiredDistances::kNone; }
+  double distance(int v) const { return all_[v].distance; }
+  bool isRequired(int v) const { return all_[v].required != RequiredDistances::kNone; }
 
  private:
   void add(int v);
 
   const TriangleMesh& mesh_;
-  std::uint64_t epoch_ = 0;
   std::vector<Vertex> all_;
   std::vector<int> reached_;
 };

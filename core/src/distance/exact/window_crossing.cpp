@@ -116,9 +116,8 @@ void WindowSweep::crossSide(int h, std::span<const Window> windows, const Portal
   // the shortest one to the apex, only lines that cross its last piece are longer. None of this
   // applies if the apex is beside a window or at its end, up to rounding: all lines then pass it on
   // the same side, and a virtual source may lie on the line to the apex.
-  const int apexVertex = face.vertices[cornerBefore(i)];
-  const Vertex& apex = vertices_[apexVertex];
-  const bool isApexFromHere = vertices_.has(apexVertex) & (apex.piece.arrival == h);
+  const Vertex& apex = vertices_[face.vertices[cornerBefore(i)]];
+  const bool isApexFromHere = apex.piece.arrival == h;
   const double longest = apex.distance + kDistanceTolerance * (apex.distance + face.lengths[i]);
   const bool isBent = apex.piece.kind == PathKind::kBent;
 

@@ -207,7 +207,7 @@ bool WindowSweep::canGain(int h, const Windows& windows) {
   const Eigen::Vector3d place =
       (1 - share) * placeOf(face.vertices[i]) + share * placeOf(face.vertices[j]);
   return required_.canGain(place, end - middle, least, excess, [&](auto ignore) {
-    for (const int v : face.vertices) ignore(vertices_.required(v));
+    for (const int v : face.vertices) ignore(vertices_[v].required);
     for (const auto& p : points_.in(h / 3)) ignore(p.index);
   });
 }
