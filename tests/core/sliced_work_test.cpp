@@ -132,6 +132,7 @@ class KnownEverywhere final : public LabelSpread {
     for (int v = 0; v < reached; ++v) reached_.push_back({v, true, 1.0 * v});
   }
   bool prepare(long& /*budget*/) override { return true; }
+  void setEdgeBound(int /*vertex*/, double /*bound*/) override {}
   void start(int /*label*/) override {}
   void resume(int /*label*/) override {}
   long require(int /*label*/, std::span<const int> /*faces*/) override { return 0; }

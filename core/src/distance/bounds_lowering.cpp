@@ -34,6 +34,7 @@ bool BoundsLowering::step(long& budget) {
 /// Where a path along edges is now shorter than the owner's distance, the owner is dropped: which
 /// labels reach the new bound must not depend on earlier changes.
 void BoundsLowering::resetBound(int v) {
+  spread_.setEdgeBound(v, edgeBounds_[v]);
   if (bounds_.ties().isAtMost(bounds_[v].distance, edgeBounds_[v])) return;
   bounds_[v] = {-1, edgeBounds_[v]};
   change_->resetVertices.push_back(v);

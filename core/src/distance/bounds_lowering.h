@@ -44,7 +44,7 @@ class BoundsLowering {
   const TriangleMesh& mesh_;
   EdgeBounds& edgeBounds_;
   NearestBounds& bounds_;
-  const LabelSpread& spread_;
+  LabelSpread& spread_;
 
   // The current change.
   LabelChange* change_ = nullptr;

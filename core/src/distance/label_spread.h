@@ -33,6 +33,8 @@ class LabelSpread {
 
   /// Allocates the working memory, in slices; true when it is there. Before anything else.
   virtual bool prepare(long& budget) = 0;
+  /// Takes the edge bound of a vertex (`EdgeBounds`) whenever it has changed.
+  virtual void setEdgeBound(int vertex, double bound) = 0;
   /// Spreads a new label from its site, at least as far as it is nearest.
   virtual void start(int label) = 0;
   /// Spreads a label on from where others stopped it, because bounds have risen.

@@ -17,10 +17,8 @@ namespace gvd {
 namespace {
 
 std::unique_ptr<LabelSpread> makeSpread(const TriangleMesh& mesh, Metric metric,
-                                        const SiteSet& sites, const EdgeBounds& edgeBounds,
-                                        NearestBounds& bounds) {
-  if (metric == Metric::kDgpc)
-    return std::make_unique<dgpc::UnfoldingSpread>(mesh, sites, edgeBounds, bounds);
+                                        const SiteSet& sites, NearestBounds& bounds) {
+  if (metric == Metric::kDgpc) return std::make_unique<dgpc::UnfoldingSpread>(mesh, sites, bounds);
   return std::make_unique<exact::WindowSpread>(mesh, sites, bounds);
 }
 
@@ -45,7 +43,7 @@ SiteDistances::SiteDistances(const TriangleMesh& mesh, Metric metric)
       sites_(mesh),
       edgeBounds_(mesh, sites_),
       bounds_(mesh),
-      spread_(makeSpread(mesh, metric, sites_, edgeBounds_, bounds_)),
+      spread_(makeSpread(mesh, metric, sites_, bounds_)),
       reaching_(mesh.vertexCount()),
       lowering_(mesh, *spread_, edgeBounds_, bounds_),
       known_(mesh, sites_, bounds_, *spread_),

@@ -70,9 +70,24 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
     for (;;) {
       if (isSpreading_ && !spread(budget)) return false;
       if (isDone()) return true;
-      if (budget <= 0) return false;
+      if (count_ && isFull()) {
+        constexpr double kShrink = 0.95;  // nearer to 1, points are more even, and take longer
+        radius_ *= kShrink;
+        misses_ = 0;
+      }
+      if (!setReach(budget) || budget <= 0) return false;
       offer(next(), budget);
     }
+  }
+
+  /// Lets the sweep reach a little farther than the radius.
+  bool setReach(long& budget) {
+    if (reachedRadius_ == radius_) return true;
+    if (!loop_.run(mesh_.vertexCount(), budget, kQuickRounds,
+                   [&](int v) { sweep_.setReach(v, radius_ + 2 * mesh_.longestEdge(v)); }))
+      return false;
+    reachedRadius_ = radius_;
+    return true;
   }
 
   bool isDone() const {
@@ -80,14 +95,15 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
                   : nextVertex_ == mesh_.vertexCount();
   }
 
-  SurfacePoint next() {
+  /// Whether so many darts in a row have missed that there is probably little room left.
+  bool isFull() const {
     constexpr size_t kFewestMisses = 100;
-    constexpr double kShrink = 0.95;  // nearer to 1, points are more even, and take longer
-    if (nextVertex_ > 0 || misses_ >= points_.size() + kFewestMisses) {
-      if (!count_) return pointAtVertex(mesh_, nextVertex_++);
-      radius_ *= kShrink;
-      misses_ = 0;
-    }
+    return misses_ >= points_.size() + kFewestMisses;
+  }
+
+  /// A dart, or a vertex if darts are over.
+  SurfacePoint next() {
+    if (!count_ && (nextVertex_ > 0 || isFull())) return pointAtVertex(mesh_, nextVertex_++);
     return drawPoint(random_, sums_);
   }
 
@@ -97,7 +113,7 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
     if (!isFree(p, budget)) return;
     if (nextVertex_ == 0) misses_ = 0;
     points_.push_back(p);
-    sweep_.start(p, [this](int v) { return radius_ + 2 * mesh_.longestEdge(v); });
+    sweep_.start(p);
     spread_ = {};
     isSpreading_ = true;
   }
@@ -140,6 +156,7 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
   const TriangleMesh& mesh_;
   const std::optional<int> count_;
   double radius_;
+  double reachedRadius_ = 0;  ///< the radius that the sweep reaches farther than
   std::mt19937_64 random_;
 
   SlicedSequence sequence_, spread_;

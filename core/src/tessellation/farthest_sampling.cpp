@@ -62,9 +62,7 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
  private:
   void add(const SurfacePoint& point) {
     points_.push_back(point);
-    // A distance from the nearest point is right if the sweep reaches both ends of every edge that
-    // the path crosses. These ends are at most an edge length beyond the point's region.
-    sweep_.start(point, [this](int v) { return least_[v] + mesh_.longestEdge(v); });
+    sweep_.start(point);
     spread_ = {};
   }
 
@@ -77,6 +75,10 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
                          return loop_.run(reached.size(), budget, 8, [&](int i) {
                            const int v = reached[i];
                            least_[v] = std::min(least_[v], sweep_.distance(v));
+                           // A distance from the nearest point is right if the sweep reaches both
+                           // ends of every edge that the path crosses. These ends are at most an
+                           // edge length beyond the point's region.
+                           sweep_.setReach(v, least_[v] + mesh_.longestEdge(v));
                          });
                        },
                        [&] { return isComplete() || findFarthest(budget); })) {

@@ -21,18 +21,13 @@ constexpr double kMostDetour = 0.1;
 }  // namespace
 
 UnfoldingSpread::UnfoldingSpread(const TriangleMesh& mesh, const SiteSet& sites,
-                                 const EdgeBounds& edgeBounds, NearestBounds& bounds)
-    : mesh_(mesh),
-      sites_(sites),
-      edgeBounds_(edgeBounds),
-      bounds_(bounds),
-      sweep_(mesh),
-      index_(mesh.vertexCount()) {}
+                                 NearestBounds& bounds)
+    : mesh_(mesh), sites_(sites), bounds_(bounds), sweep_(mesh), index_(mesh.vertexCount()) {}
 
 void UnfoldingSpread::start(int label) {
   if (label >= static_cast<int>(labels_.size())) labels_.resize(label + 1);
   running_ = label;
-  sweep_.start(sites_[label], [this](int v) { return edgeBounds_[v] + mesh_.longestEdge(v); });
+  sweep_.start(sites_[label]);
 }
 
 /// Does nothing: other labels never stop a label of this metric.
@@ -129,7 +124,7 @@ void UnfoldingSpread::requireVertex(LabelState& state, int vertex) {
 /// does not depend on what else is required.
 void UnfoldingSpread::sweepToRequired(double reach) {
   requiredReach_ = reach;
-  sweep_.start(sites_[running_], [reach](int /*vertex*/) { return reach; });
+  sweep_.start(sites_[running_], reach);
 }
 
 /// Takes the distances from such a sweep, and begins the next one if some are still missing.

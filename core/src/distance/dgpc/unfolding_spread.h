@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "distance/dgpc/unfolding_sweep.h"
-#include "distance/edge_bounds.h"
 #include "distance/label_spread.h"
 #include "distance/nearest_bounds.h"
 #include "distance/reached_index.h"
@@ -22,10 +21,12 @@ namespace gvd::dgpc {
 /// spread does not matter.
 class UnfoldingSpread final : public LabelSpread {
  public:
-  UnfoldingSpread(const TriangleMesh& mesh, const SiteSet& sites, const EdgeBounds& edgeBounds,
-                  NearestBounds& bounds);
+  UnfoldingSpread(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds);
 
   bool prepare(long& budget) override { return sweep_.prepare(budget); }
+  void setEdgeBound(int vertex, double bound) override {
+    sweep_.setReach(vertex, bound + mesh_.longestEdge(vertex));
+  }
   void start(int label) override;
   void resume(int label) override;
   long require(int label, std::span<const int> faces) override;
@@ -62,7 +63,6 @@ class UnfoldingSpread final : public LabelSpread {
 
   const TriangleMesh& mesh_;
   const SiteSet& sites_;
-  const EdgeBounds& edgeBounds_;
   NearestBounds& bounds_;
   UnfoldingSweep sweep_;
   std::vector<LabelState> labels_;

@@ -21,9 +21,9 @@ constexpr size_t kAhead = 2;
 
 }  // namespace
 
-void UnfoldingSweep::start(const SurfacePoint& site, Reach reach) {
-  reach_ = std::move(reach);
-  ++epoch_;
+void UnfoldingSweep::start(const SurfacePoint& site, std::optional<double> reach) {
+  reach_ = reach;
+  for (const int v : reached_) vertices_[v].distance = vertices_[v].limit = kInfinity;
   reached_.clear();
   const TriangleMesh::Face& face = mesh_.face(site.face);
   const Incidence incidence = incidenceOf(site.bary);
@@ -79,19 +79,17 @@ bool UnfoldingSweep::step(long& budget) {
 void UnfoldingSweep::improve(int v, double distance, const Vector2d& direction,
                              const Origin& origin) {
   Vertex& own = vertices_[v];
-  if (isReached(v)) {
+  if (own.distance < kInfinity) {
     ++own.improvements;
   } else {
-    own.epoch = epoch_;
     own.improvements = 0;
-    own.reach = reach_(v);
     reached_.push_back(v);
   }
   own.distance = distance;
   own.limit = distance * (1 - kDistanceTolerance * static_cast<double>(1LL << own.improvements));
   own.direction = direction;
   own.origin = origin;
-  own.isQueued = distance <= own.reach;
+  own.isQueued = distance <= reach_.value_or(own.reach);
   if (!own.isQueued) return;
   // Older entries of the vertex may remain in the queue: `step` acts on the first that it meets.
   queue_.add(v, queue_.bucketOf(distance));

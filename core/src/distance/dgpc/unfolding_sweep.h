@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -81,9 +80,6 @@ inline std::optional<Unfolding> unfold(const TriangleMesh::Face& face, int side,
 /// doubles with each improvement, from 2^-41 on (`kDistanceTolerance`), which allows at most 41.
 class UnfoldingSweep {
  public:
-  /// The distance up to which a site spreads on from a vertex. Called once per vertex and site.
-  using Reach = std::function<double(int vertex)>;
-
   explicit UnfoldingSweep(const TriangleMesh& mesh)
       : mesh_(mesh), queue_(kBucketsPerEdge / mesh.shortEdgeLength()) {}
   /// Allocates the working memory, in slices; true when it is there. Before anything else.
@@ -91,18 +87,19 @@ class UnfoldingSweep {
     return fillInSlices(vertices_, mesh_.vertexCount(), Vertex(), budget);
   }
 
-  /// Begins with a site and forgets the previous one.
-  void start(const SurfacePoint& site, Reach reach);
+  /// Sets the distance up to which sites spread on from a vertex; infinity at first.
+  void setReach(int vertex, double reach) { vertices_[vertex].reach = reach; }
+  /// Begins with a site and forgets the previous one. A `reach` given here is that of all vertices,
+  /// in place of their own.
+  void start(const SurfacePoint& site, std::optional<double> reach = std::nullopt);
   /// Passes on the distances of at most `budget` vertices and lowers it by their number. True when
   /// none is queued any more.
   bool step(long& budget);
 
-  /// The vertices that the site has reached, including those beyond their `Reach`.
+  /// The vertices that the site has reached, including those beyond their reach.
   const std::vector<int>& reached() const { return reached_; }
   /// Infinite at vertices that the site has not reached.
-  double distance(int vertex) const {
-    return isReached(vertex) ? vertices_[vertex].distance : kInfinity;
-  }
+  double distance(int vertex) const { return vertices_[vertex].distance; }
   /// The direction of the path at the site (`DistanceField::direction`); for reached vertices only.
   const Eigen::Vector2d& direction(int vertex) const { return vertices_[vertex].direction; }
 
@@ -115,12 +112,11 @@ class UnfoldingSweep {
   using Origin = std::array<int, 2>;
 
   struct alignas(64) Vertex {
-    double distance;
-    double limit;  ///< only distances below this are improvements
-    double reach;  ///< the largest distance that is passed on
+    double distance = kInfinity;
+    double limit = kInfinity;  ///< only distances below this are improvements
+    double reach = kInfinity;  ///< the largest distance that is passed on, whatever the site
     Eigen::Vector2d direction;
     Origin origin;              ///< what the distance follows from
-    std::uint64_t epoch = 0;    ///< of the site that the other members belong to
     std::uint8_t improvements;  ///< how often the distance has fallen
     bool isQueued;              ///< whether the distance is still to be passed on
 
@@ -129,11 +125,9 @@ class UnfoldingSweep {
   };
 
   void startInFace(const SurfacePoint& site, const Eigen::Vector2d& firstSide);
-  bool isReached(int vertex) const { return vertices_[vertex].epoch == epoch_; }
-  double limit(int vertex) const { return isReached(vertex) ? vertices_[vertex].limit : kInfinity; }
   /// Inlined, because most offers are no improvement.
   void offer(int vertex, double distance, const Eigen::Vector2d& direction, const Origin& origin) {
-    if (distance < limit(vertex)) improve(vertex, distance, direction, origin);
+    if (distance < vertices_[vertex].limit) improve(vertex, distance, direction, origin);
   }
   void improve(int vertex, double distance, const Eigen::Vector2d& direction, const Origin& origin);
   void passOn(int vertex);
@@ -142,8 +136,7 @@ class UnfoldingSweep {
                                          const Vertex& tip);
 
   const TriangleMesh& mesh_;
-  Reach reach_;  ///< of the current site
-  std::uint64_t epoch_ = 0;
+  std::optional<double> reach_;  ///< of all vertices, in place of their own
   std::vector<Vertex> vertices_;
   std::vector<int> reached_;
   BucketQueue queue_;  ///< vertices by distance

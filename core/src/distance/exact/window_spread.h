@@ -23,6 +23,7 @@ class WindowSpread final : public LabelSpread {
   WindowSpread(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds);
 
   bool prepare(long& budget) override { return sweep_.prepare(budget); }
+  void setEdgeBound(int /*vertex*/, double /*bound*/) override {}
   void start(int label) override;
   void resume(int label) override;
   long require(int label, std::span<const int> faces) override;
