@@ -27,34 +27,22 @@ bool FinalCells::putInOrder(long& budget) {
     return true;
   }
   const int count = graph_.cells.size();
+  const auto faceOf = [&](int cell) { return complex_.faceIndex(graph_.cellFace[cell]); };
   return order_.run(
+      [&] { return byFace_.run(count, complex_.faceCount(), faceOf, budget); },
       [&] {
-        nextOfFace_.reserve(count);
         out_.cells.offset.reserve(count + 1);
         out_.cells.points.reserve(graph_.cells.points.size());
         out_.cellFace.reserve(count);
         out_.cellLabel.reserve(count);
       },
-      [&] { return fillInSlices(firstOfFace_, complex_.faceCount(), -1, budget); },
-      [&] {
-        return loop_.run(count, budget, kQuickRounds, [&](int i) { linkCell(count - 1 - i); });
-      },
-      [&] { return loop_.run(firstOfFace_.size(), budget, 1, [&](int f) { copyCellsOf(f); }); });
+      [&] { return loop_.run(count, budget, 4, [&](int i) { copyCell(byFace_.items()[i]); }); });
 }
 
-/// Puts a cell at the front of the list of its face. Cells are linked from the last to the first.
-void FinalCells::linkCell(int cell) {
-  const int face = complex_.faceIndex(graph_.cellFace[cell]);
-  nextOfFace_.push_back(std::exchange(firstOfFace_[face], cell));
-}
-
-void FinalCells::copyCellsOf(int faceIndex) {
-  const int count = graph_.cells.size();
-  for (int c = firstOfFace_[faceIndex]; c >= 0; c = nextOfFace_[count - 1 - c]) {
-    out_.cells.add(graph_.cells[c]);
-    out_.cellFace.push_back(graph_.cellFace[c]);
-    out_.cellLabel.push_back(graph_.cellLabel[c]);
-  }
+void FinalCells::copyCell(int cell) {
+  out_.cells.add(graph_.cells[cell]);
+  out_.cellFace.push_back(graph_.cellFace[cell]);
+  out_.cellLabel.push_back(graph_.cellLabel[cell]);
 }
 
 bool FinalCells::collect(long& budget) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <vector>
-
+#include "base/grouping.h"
 #include "base/sliced_loop.h"
 #include "diagram/bisector_graph.h"
 #include "diagram/face_complex.h"
@@ -23,8 +22,7 @@ class FinalCells {
 
  private:
   bool putInOrder(long& budget);
-  void linkCell(int cell);
-  void copyCellsOf(int faceIndex);
+  void copyCell(int cell);
   bool collect(long& budget);
   void collectFace();
   void addFinalPoints(int cell, int begin, int end);
@@ -36,8 +34,7 @@ class FinalCells {
   Diagram& out_;
   SlicedSequence sequence_, order_;
   SlicedLoop loop_;
-  /// Lists of cells by face, where they are not in order.
-  std::vector<int> firstOfFace_, nextOfFace_;
+  Grouping byFace_;  ///< cells, where they are not in order
   // `out_.cells` is compacted in one pass: the positions read from and written to; the former is
   // ahead.
   int read_ = 0, readBegin_ = 0;

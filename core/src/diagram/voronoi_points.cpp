@@ -13,10 +13,14 @@ bool VoronoiPoints::step(long& budget) {
   constexpr long kPointsPerUnit = 4;
   const int merged = graph_.merging.limit();
   return sequence_.run([&] { out_.voronoiPoints.reserve(graph_.innerPoints.size()); },
-                       [&] { return fillInSlices(lists_, merged, SectorList(), budget); },
                        [&] {
                          return merged == 0 || loop_.run(outlines_.size(), budget, 1,
                                                          [&](int o) { collectSectors(o); });
+                       },
+                       [&] {
+                         return byPoint_.run(
+                             static_cast<int>(sectors_.size()), merged,
+                             [&](int s) { return sectors_[s].point; }, budget);
                        },
                        [&] {
                          return loop_.run(graph_.innerPoints.size(), budget, kPointsPerUnit,
@@ -30,12 +34,8 @@ void VoronoiPoints::collectSectors(int outline) {
   const size_t n = points.size();
   for (size_t i = 0; i < n; ++i) {
     if (!graph_.merging.isMerged(points[i])) continue;
-    SectorList& list = lists_[points[i]];
-    const int sector = static_cast<int>(sectors_.size());
-    sectors_.push_back({outlines_.label(outline), points[i > 0 ? i - 1 : n - 1],
-                        points[i + 1 < n ? i + 1 : 0], -1});
-    (list.last < 0 ? list.first : sectors_[list.last].next) = sector;
-    list.last = sector;
+    sectors_.push_back({points[i], outlines_.label(outline), points[i > 0 ? i - 1 : n - 1],
+                        points[i + 1 < n ? i + 1 : 0]});
   }
 }
 
@@ -48,7 +48,7 @@ void VoronoiPoints::addInner(int point) {
 
 void VoronoiPoints::addMergedBefore(int point) {
   for (const int end = std::min(point, graph_.merging.limit()); nextMerged_ < end; ++nextMerged_)
-    if (lists_[nextMerged_].first >= 0) addMerged(nextMerged_);
+    addMerged(nextMerged_);
 }
 
 bool VoronoiPoints::addLastMerged(long& budget) {
@@ -60,7 +60,7 @@ bool VoronoiPoints::addLastMerged(long& budget) {
 void VoronoiPoints::addMerged(int point) {
   std::vector<Sector> sectors;
   int distinct = 0;  // the outlines, and so the sectors, are ascending by label
-  for (int s = lists_[point].first; s >= 0; s = sectors_[s].next) {
+  for (const int s : byPoint_.items(point)) {
     if (sectors.empty() || sectors.back().label != sectors_[s].label) ++distinct;
     sectors.push_back(sectors_[s]);
   }

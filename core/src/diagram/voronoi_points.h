@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/grouping.h"
 #include "base/sliced_loop.h"
 #include "diagram/bisector_graph.h"
 #include "diagram/final_points.h"
@@ -26,12 +27,8 @@ class VoronoiPoints {
   /// A region's outline that comes to a point from `before` and leaves it to `after` covers the
   /// sector counterclockwise from `after` to `before`.
   struct Sector {
+    int point;
     int label, before, after;
-    int next;  ///< at the same point, -1 for none
-  };
-  /// The list of sectors at a merged point, -1 for none.
-  struct SectorList {
-    int first = -1, last = -1;
   };
 
   void collectSectors(int outline);
@@ -49,8 +46,8 @@ class VoronoiPoints {
   Diagram& out_;
   SlicedSequence sequence_;
   SlicedLoop loop_;
-  std::vector<SectorList> lists_;  ///< per point up to the last merged one
-  std::vector<Sector> sectors_;
+  std::vector<Sector> sectors_;  ///< at merged points
+  Grouping byPoint_;             ///< sectors
   int nextMerged_ = 0;
 };
 
