@@ -26,9 +26,7 @@ ComplexBuilding::ComplexBuilding(const TriangleMesh& mesh, const DistanceField& 
       longestSide_(longestSideOf(mesh, detail)),
       ties_(mesh),
       complex_(mesh, distances, extent == Extent::kPart || detail > 0) {
-  if (extent == Extent::kMesh) return;
-  complex_.indexInPart_.assign(mesh.faceCount(), -1);
-  complex_.nodes_.addVertices();
+  if (extent == Extent::kPart) complex_.indexInPart_.assign(mesh.faceCount(), -1);
 }
 
 bool ComplexBuilding::step(long& budget) {
@@ -46,17 +44,16 @@ bool ComplexBuilding::step(long& budget) {
                        });
 }
 
-/// Adds all vertices, and the faces too if mixed ones are to be split.
+/// Finds the owners of all vertices, and adds the faces if mixed ones are to be split.
 bool ComplexBuilding::addMesh(long& budget) {
   NodeLabels& nodes = complex_.nodes_;
   const auto forFaces = [&](auto body) {
     return !complex_.hasOwnElements_ || loop_.run(mesh_.faceCount(), budget, kQuickRounds, body);
   };
   return adding_.run(
-      [&] { nodes.reserve(mesh_.vertexCount()); },
       [&] {
         return loop_.run(mesh_.vertexCount(), budget, kQuickRounds,
-                         [&](int) { nodes.addVertex(); });
+                         [&](int v) { nodes.findOwner(v); });
       },
       [&] {
         return forFaces([&](int f) {

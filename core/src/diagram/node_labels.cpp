@@ -10,11 +10,6 @@
 
 namespace gvd {
 
-void NodeLabels::addVertex() {
-  nodes_.emplace_back();
-  noteOwner(count() - 1);
-}
-
 void NodeLabels::clear(std::span<const int> nodes) {
   for (const int node : nodes) nodes_[node] = {};
   nodes_.resize(vertexCount_);

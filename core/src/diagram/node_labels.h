@@ -15,15 +15,11 @@ namespace gvd {
 /// that were split.
 class NodeLabels {
  public:
+  /// The owners of the vertices are not yet found.
   NodeLabels(const DistanceField& distances, int vertexCount)
-      : distances_(distances), vertexCount_(vertexCount) {}
+      : distances_(distances), vertexCount_(vertexCount), nodes_(vertexCount) {}
 
   int count() const { return static_cast<int>(nodes_.size()); }
-  void reserve(int count) { nodes_.reserve(count); }
-  /// Adds the vertices, their owners not yet found.
-  void addVertices() { nodes_.resize(vertexCount_); }
-  /// Adds the next vertex and finds its owner.
-  void addVertex();
   /// Finds the owner of a vertex, unless that has been done.
   void findOwner(int vertex) {
     if (nodes_[vertex].owner < 0) noteOwner(vertex);
