@@ -71,12 +71,11 @@ std::vector<double> DetailStudy::mislabelled(Metric metric, int most) const {
   for (int detail = 0; detail <= most; ++detail) {
     const Diagram diagram =
         traceDiagram(mesh_, *field, static_cast<int>(sites_.size()), {.detail = detail});
-    const RegionLookup regions(mesh_, diagram);
     double share = 0;
     for (const Stratum& stratum : strata_) {
       int wrong = 0;
       for (size_t i = 0; i < stratum.points.size(); ++i)
-        wrong += regions.labelAt(stratum.points[i]) != stratum.labels[i];
+        wrong += labelAt(mesh_, diagram, stratum.points[i]) != stratum.labels[i];
       share += stratum.share * wrong / static_cast<double>(stratum.points.size());
     }
     result.push_back(share);

@@ -40,16 +40,12 @@ class Comparison final : public SlicedWork<DiagramAccuracy> {
  public:
   Comparison(const TriangleMesh& mesh, const DistanceField& distances, const Diagram& diagram,
              int samples)
-      : mesh_(mesh),
-        distances_(distances),
-        diagram_(diagram),
-        samples_(samples),
-        regions_(mesh, diagram) {}
+      : mesh_(mesh), distances_(distances), diagram_(diagram), samples_(samples) {}
 
   bool advance(long budget) override {
     return sumAreas(mesh_, sums_, budget) && loop_.runWeighted(samples_, budget, 1, [&](int) {
       const SurfacePoint p = drawPoint(random_, sums_);
-      mislabelled_ += distances_.nearest(p).label != regions_.labelAt(p);
+      mislabelled_ += distances_.nearest(p).label != labelAt(mesh_, diagram_, p);
       ++drawn_;
       return kUnitsPerPoint;
     });
@@ -66,7 +62,6 @@ class Comparison final : public SlicedWork<DiagramAccuracy> {
   const DistanceField& distances_;
   const Diagram& diagram_;
   const int samples_;
-  const RegionLookup regions_;
   std::vector<double> sums_;  ///< of the areas of faces
   std::mt19937_64 random_;    // the same numbers at each call
   SlicedLoop loop_;
