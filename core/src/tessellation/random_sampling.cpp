@@ -21,14 +21,13 @@ namespace gvd {
 namespace {
 
 /// Draws faces by the integrals of the square root of the density, and points within a face by
-/// rejection.
-class DensitySampling final : public SlicedWork<std::vector<SurfacePoint>> {
+/// rejection. Without a density, faces are drawn by their areas, and no point is rejected.
+class RandomSampling final : public SlicedWork<std::vector<SurfacePoint>> {
  public:
-  DensitySampling(const TriangleMesh& mesh, std::vector<double> density, int count,
-                  std::uint64_t seed)
+  RandomSampling(const TriangleMesh& mesh, std::vector<double> density, int count,
+                 std::uint64_t seed)
       : mesh_(mesh), density_(std::move(density)), count_(count), random_(seed) {
     requireCount(count);
-    requireDensity(mesh, density_);
   }
 
   bool advance(long budget) override {
@@ -36,7 +35,7 @@ class DensitySampling final : public SlicedWork<std::vector<SurfacePoint>> {
         [&] {
           sums_.reserve(mesh_.faceCount());
           return loop_.run(mesh_.faceCount(), budget, 8, [&](int f) {
-            sum_ += mesh_.faceArea(f) * rootsOf(f).sum();
+            sum_ += mesh_.faceArea(f) * (density_.empty() ? 1 : rootsOf(f).sum());
             sums_.push_back(sum_);
           });
         },
@@ -58,6 +57,7 @@ class DensitySampling final : public SlicedWork<std::vector<SurfacePoint>> {
 
   SurfacePoint draw() {
     SurfacePoint p = drawPoint(random_, sums_);
+    if (density_.empty()) return p;
     const Eigen::Vector3d roots = rootsOf(p.face);
     while (drawUniform(random_) * roots.maxCoeff() > p.bary.dot(roots))
       p.bary = drawBarycentric(random_);
@@ -75,39 +75,11 @@ class DensitySampling final : public SlicedWork<std::vector<SurfacePoint>> {
   std::vector<SurfacePoint> points_;
 };
 
-class UniformSampling final : public SlicedWork<std::vector<SurfacePoint>> {
- public:
-  UniformSampling(const TriangleMesh& mesh, int count, std::uint64_t seed)
-      : mesh_(mesh), count_(count), random_(seed) {
-    requireCount(count);
-  }
-
-  bool advance(long budget) override {
-    return sequence_.run([&] { return sumAreas(mesh_, sums_, budget); },
-                         [&] {
-                           return loop_.run(count_, budget, 1, [&](int) {
-                             points_.push_back(drawPoint(random_, sums_));
-                           });
-                         });
-  }
-  double progress() const override { return sequence_.progress(); }
-  std::vector<SurfacePoint> result() override { return std::move(points_); }
-
- private:
-  const TriangleMesh& mesh_;
-  const int count_;
-  std::mt19937_64 random_;
-  SlicedSequence sequence_;
-  SlicedLoop loop_;
-  std::vector<double> sums_;  ///< of the areas of faces
-  std::vector<SurfacePoint> points_;
-};
-
 }  // namespace
 
 std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startUniform(const TriangleMesh& mesh,
                                                                     int count, std::uint64_t seed) {
-  return std::make_unique<UniformSampling>(mesh, count, seed);
+  return std::make_unique<RandomSampling>(mesh, std::vector<double>(), count, seed);
 }
 
 std::vector<SurfacePoint> sampleUniform(const TriangleMesh& mesh, int count, std::uint64_t seed) {
@@ -118,7 +90,8 @@ std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startByDensity(const Tria
                                                                       std::vector<double> density,
                                                                       int count,
                                                                       std::uint64_t seed) {
-  return std::make_unique<DensitySampling>(mesh, std::move(density), count, seed);
+  requireDensity(mesh, density);
+  return std::make_unique<RandomSampling>(mesh, std::move(density), count, seed);
 }
 
 std::vector<SurfacePoint> sampleByDensity(const TriangleMesh& mesh, std::span<const double> density,
