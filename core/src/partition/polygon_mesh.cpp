@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
-#include <numeric>
 #include <set>
 #include <string>
 #include <utility>
 
 #include "base/sorting.h"
+#include "diagram/point_merging.h"
 #include "gvd/error.h"
 #include "mesh/corners.h"
 #include "partition/convex_triangulation.h"
@@ -117,21 +117,16 @@ std::set<std::pair<int, int>> sidesOf(const PolygonHalfedges& halfedges) {
   return sides;
 }
 
-int countComponents(const PolygonHalfedges& halfedges, int vertexCount) {
-  std::vector<int> parent(vertexCount);
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
-  std::vector<char> isUsed(vertexCount, false);
+/// The components of some vertices, joined by the sides between them.
+int countComponents(const PolygonHalfedges& halfedges, int vertices) {
+  PointMerging joined;
   for (int h = 0; h < halfedges.count(); ++h) {
-    isUsed[halfedges.tail(h)] = true;
-    parent[root(halfedges.tail(h))] = root(halfedges.tip(h));
+    const int tail = joined.root(halfedges.tail(h)), tip = joined.root(halfedges.tip(h));
+    if (tail == tip) continue;
+    joined.unite(tail, tip);
+    --vertices;
   }
-  int count = 0;
-  for (int v = 0; v < vertexCount; ++v) count += isUsed[v] && parent[v] == v;
-  return count;
+  return vertices;
 }
 
 /// Holds for manifolds only.
@@ -193,7 +188,7 @@ PolygonTopology topologyOf(const PolygonMesh& mesh) {
   topology.vertices = static_cast<int>(std::count(isUsed.begin(), isUsed.end(), true));
   topology.faces = mesh.faces.size();
   topology.eulerCharacteristic = topology.vertices - topology.edges + topology.faces;
-  topology.components = countComponents(halfedges, vertexCount);
+  topology.components = countComponents(halfedges, topology.vertices);
   topology.isManifold = halfedges.isOriented() && !hasRepeatedCorner(mesh) &&
                         hasOneFanPerVertex(halfedges, vertexCount);
   if (!topology.isManifold) return topology;

@@ -37,13 +37,16 @@ bool PatchMeasuring::step(long& budget) {
   const std::size_t triangles = partition_.triangles.size(), halfedges = 3 * triangles,
                     vertices = partition_.points.size();
   return sequence_.run(
-      [&] { return fillInSlices(isOnOutline_, halfedges, '\0', budget); },
       [&] { return fillInSlices(isSeen_, triangles, '\0', budget); },
       [&] { return fillInSlices(isWalked_, halfedges, '\0', budget); },
       [&] { return fillInSlices(isCounted_, vertices, '\0', budget); },
       [&] { return fillInSlices(lastLabel_, vertices, kNoLabel, budget); },
       [&] { return fillInSlices(partition_.regions, siteCount_, RegionPatch(), budget); },
-      [&] { return loop_.run(halfedges, budget, 8, [&](int h) { noteOutline(h); }); },
+      [&] {
+        return loop_.run(halfedges, budget, 8, [&](int h) {
+          if (isOnOutline(partition_, h)) isCounted_[tail(h)] = isCounted_[tip(h)] = true;
+        });
+      },
       [&] {
         return loop_.run(triangles, budget, 8, [&](int t) {
           RegionPatch& region = patchOf(partition_.triangleLabel[t]);
@@ -63,12 +66,6 @@ std::array<Vector3d, 3> PatchMeasuring::cornersOf(int t) const {
 
 RegionPatch& PatchMeasuring::patchOf(int label) {
   return label < 0 ? partition_.unreachable : partition_.regions[label];
-}
-
-void PatchMeasuring::noteOutline(int h) {
-  if (!isOnOutline(partition_, h)) return;
-  isOnOutline_[h] = true;
-  isCounted_[tail(h)] = isCounted_[tip(h)] = true;
 }
 
 /// Measures all regions, then the part that no site reaches.
@@ -125,7 +122,7 @@ void PatchMeasuring::addArea(int t, RegionPatch& region) {
 }
 
 void PatchMeasuring::walkOutlineFrom(int start, RegionPatch& region) {
-  if (!isOnOutline_[start] || isWalked_[start]) return;
+  if (isWalked_[start] || !isOnOutline(partition_, start)) return;
   ++region.loops;
   for (int h = start; !isWalked_[h]; h = nextOnOutline(partition_, h)) {
     isWalked_[h] = true;
@@ -172,7 +169,7 @@ bool PatchMeasuring::countComponents(RegionPatch& region, long& budget) {
       const int t = stack_.back();
       stack_.pop_back();
       for (int h = 3 * t; h < 3 * (t + 1); ++h) {
-        if (isOnOutline_[h] || isSeen_[partition_.twins[h] / 3]) continue;
+        if (isOnOutline(partition_, h) || isSeen_[partition_.twins[h] / 3]) continue;
         isSeen_[partition_.twins[h] / 3] = true;
         stack_.push_back(partition_.twins[h] / 3);
       }

@@ -48,7 +48,6 @@ class PatchMeasuring {
 
   bool measureAll(long& budget);
   bool measure(RegionPatch& region, long& budget);
-  void noteOutline(int h);
   void addArea(int t, RegionPatch& region);
   void walkOutlineFrom(int start, RegionPatch& region);
   void addStep(int h, RegionPatch& region);
@@ -65,12 +64,11 @@ class PatchMeasuring {
 
   SlicedSequence sequence_, measuring_;
   SlicedLoop loop_;
-  int measured_ = 0;               ///< regions
-  std::vector<char> isOnOutline_;  ///< halfedges
-  std::vector<char> isSeen_;       ///< triangles
-  std::vector<char> isWalked_;     ///< halfedges on outlines
-  std::vector<char> isCounted_;    ///< vertices; on outlines, steps count them
-  std::vector<int> lastLabel_;     ///< per vertex, of the last region whose outline passed it
+  int measured_ = 0;             ///< regions
+  std::vector<char> isSeen_;     ///< triangles
+  std::vector<char> isWalked_;   ///< halfedges on outlines
+  std::vector<char> isCounted_;  ///< vertices; on outlines, steps count them
+  std::vector<int> lastLabel_;   ///< per vertex, of the last region whose outline passed it
 
   // Of the current region.
   Sums sums_;
