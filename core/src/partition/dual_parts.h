@@ -85,6 +85,7 @@ inline std::vector<SurfacePoint> sitesOf(const TriangleMesh& mesh, const Diagram
 struct Finding {
   Violation violation;
   std::vector<int> triangles;
+  int bareFace = -1;  ///< of a component without a site, which the partition leaves out
 };
 
 /// Like `findViolations`, in the same order.

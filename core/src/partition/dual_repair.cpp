@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -25,67 +24,36 @@ struct Gap {
   std::vector<SurfacePoint> points;
 };
 
-/// One round of the repair: finds the gaps to fill for the violations of a diagram.
-class RepairRound {
- public:
-  RepairRound(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, const Diagram& diagram,
-              const Partition& partition)
-      : mesh_(mesh),
-        sites_(sites),
-        diagram_(diagram),
-        partition_(partition),
-        isTouched_(diagram.siteCount, false) {}
-
-  std::vector<Gap> gaps(const RegionComplex& complex) {
-    const auto findings = inspect(mesh_, sites_, diagram_, partition_, complex);
-    std::vector<Gap> result;
-    for (const Finding& finding : findings) {
-      const Violation& v = finding.violation;
-      if (v.kind == Violation::kNoRegion) throw Error(ErrorCode::kInvalidArgument, v.message);
-      if (v.kind == Violation::kNoManifold) throw std::logic_error(v.message);
-      if (v.kind == Violation::kUnreachable) {
-        if (result.empty()) result = unreachableGaps();
-        continue;
-      }
-      const bool isTouched = std::any_of(v.labels.begin(), v.labels.end(),
-                                         [&](int label) { return isTouched_[label]; });
-      if (isTouched) continue;
-      Gap& gap = result.emplace_back(Gap{v.labels, {}});
-      for (const int t : finding.triangles) {
-        // Three candidates per triangle, because the middle may be the place of a site.
-        const Eigen::Matrix3d corners = cornersInFace(mesh_, partition_, t);
-        const Eigen::Vector3d middle = corners.rowwise().mean();
-        for (int i = 0; i < 3; ++i)
-          gap.points.push_back({partition_.triangleFace[t], (3 * middle + corners.col(i)) / 4});
-      }
-      for (const int label : v.labels) touch(label);
+/// The gaps to fill in one round of the repair, for the violations of a diagram.
+std::vector<Gap> gapsOf(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
+                        const Diagram& diagram, const Partition& partition,
+                        const RegionComplex& complex) {
+  std::vector<Gap> gaps;
+  std::vector<char> isTouched(diagram.siteCount);  // regions that a new site may change
+  for (const auto& [violation, triangles, bareFace] :
+       inspect(mesh, sites, diagram, partition, complex)) {
+    const std::vector<int>& labels = violation.labels;
+    if (violation.kind == Violation::kNoRegion)
+      throw Error(ErrorCode::kInvalidArgument, violation.message);
+    if (violation.kind == Violation::kNoManifold) throw std::logic_error(violation.message);
+    if (std::any_of(labels.begin(), labels.end(), [&](int label) { return isTouched[label]; }))
+      continue;
+    Gap& gap = gaps.emplace_back(Gap{labels, {}});
+    if (bareFace >= 0) gap.points.push_back({bareFace, Eigen::Vector3d::Constant(1.0 / 3)});
+    for (const int t : triangles) {
+      // Three candidates per triangle, because the middle may be the place of a site.
+      const Eigen::Matrix3d corners = cornersInFace(mesh, partition, t);
+      const Eigen::Vector3d middle = corners.rowwise().mean();
+      for (int i = 0; i < 3; ++i)
+        gap.points.push_back({partition.triangleFace[t], (3 * middle + corners.col(i)) / 4});
     }
-    return result;
+    for (const int label : labels) {
+      isTouched[label] = true;
+      for (const auto& n : partition.regions[label].neighbours) isTouched[n.label] = true;
+    }
   }
-
- private:
-  void touch(int label) {
-    isTouched_[label] = true;
-    for (const auto& n : partition_.regions[label].neighbours) isTouched_[n.label] = true;
-  }
-
-  /// A point in each component without a site.
-  std::vector<Gap> unreachableGaps() const {
-    std::vector<Gap> gaps;
-    std::set<int> components;
-    for (int f = 0; f < mesh_.faceCount(); ++f)
-      if (diagram_.faceLabel[f] == Diagram::kUnreachable &&
-          components.insert(mesh_.component(f)).second)
-        gaps.push_back({{}, {{f, Eigen::Vector3d::Constant(1.0 / 3)}}});
-    return gaps;
-  }
-
-  const TriangleMesh& mesh_;
-  const std::span<const SurfacePoint> sites_;
-  const Diagram& diagram_;
-  const Partition& partition_;
-  std::vector<char> isTouched_;  ///< regions that a new site may change
-};
+  return gaps;
+}
 
 /// Finds the sites that fill the gaps. The distances at the points of all of them are requested at
 /// once: on long faces there are many points, and the path of each to its site crosses many faces.
@@ -150,7 +118,7 @@ std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startRepairingSites(
       fromRegions(mesh, diagram,
                   [&mesh, sites = sitesOf(mesh, diagram, sites), &diagram](
                       const Partition& partition, const RegionComplex& complex) {
-                    return RepairRound(mesh, sites, diagram, partition).gaps(complex);
+                    return gapsOf(mesh, sites, diagram, partition, complex);
                   }),
       field);
 }

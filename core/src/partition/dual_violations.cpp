@@ -78,12 +78,14 @@ class Inspector {
   }
 
   void inspectComponents() {
-    std::set<int> unreachable;
+    std::map<int, int> bareFaces;  // by component, its first face
     for (int f = 0; f < mesh_.faceCount(); ++f)
-      if (diagram_.faceLabel[f] == Diagram::kUnreachable) unreachable.insert(mesh_.component(f));
-    for (const int component : unreachable)
+      if (diagram_.faceLabel[f] == Diagram::kUnreachable) bareFaces.emplace(mesh_.component(f), f);
+    for (const auto& [component, face] : bareFaces) {
       add(Violation::kUnreachable, {},
           "no site is on component " + std::to_string(component) + " of the mesh");
+      found_.back().bareFace = face;
+    }
   }
 
   void inspectRegion(const RegionPatch& region) {
