@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "base/rejection.h"
 #include "base/sliced_loop.h"
 #include "diagram/given_diagram.h"
 #include "diagram/region_lookup.h"
 #include "distance/site_distances.h"
 #include "gvd/diagram.h"
-#include "gvd/error.h"
 #include "mesh/point_drawing.h"
 #include "mesh/surface_geometry.h"
 
@@ -76,8 +76,7 @@ std::unique_ptr<SlicedWork<DiagramAccuracy>> startAccuracy(const TriangleMesh& m
   requireMesh(mesh, distances);
   requireFaces(mesh, diagram);
   if (samples < 1)
-    throw Error(ErrorCode::kInvalidArgument,
-                "the number of samples is " + std::to_string(samples) + ", not positive");
+    rejectArgument("the number of samples is " + std::to_string(samples) + ", not positive");
   return std::make_unique<Comparison>(mesh, distances, diagram, samples);
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "base/rejection.h"
 #include "diagram/arc_chaining.h"
 #include "diagram/bisector_tracing.h"
 #include "diagram/final_cells.h"
@@ -18,7 +19,6 @@
 #include "diagram/region_outlines.h"
 #include "diagram/voronoi_points.h"
 #include "distance/site_distances.h"
-#include "gvd/error.h"
 
 namespace gvd {
 namespace {
@@ -112,17 +112,15 @@ class Tracing final : public SlicedWork<TracedDiagram> {
 
 int validDetail(const DiagramOptions& options) {
   if (options.detail < 0 || options.detail > DiagramOptions::kMostDetail)
-    throw Error(ErrorCode::kInvalidArgument, "the detail " + std::to_string(options.detail) +
-                                                 " is not from 0 to " +
-                                                 std::to_string(DiagramOptions::kMostDetail));
+    rejectArgument("the detail " + std::to_string(options.detail) + " is not from 0 to " +
+                   std::to_string(DiagramOptions::kMostDetail));
   return options.detail;
 }
 
 void requireLabels(std::span<const LabelledDistance> known, int siteCount) {
   if (known.empty() || known.back().label < siteCount) return;
-  throw Error(ErrorCode::kInvalidArgument, "there are distances of site " +
-                                               std::to_string(known.back().label) + ", but only " +
-                                               std::to_string(siteCount) + " sites");
+  rejectArgument("there are distances of site " + std::to_string(known.back().label) +
+                 ", but only " + std::to_string(siteCount) + " sites");
 }
 
 /// The tracing of all of a diagram.

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/index_set.h"
+#include "base/rejection.h"
 #include "base/sliced_loop.h"
 #include "diagram/diagram_pieces.h"
 #include "diagram/diagram_tracing.h"
@@ -29,16 +30,14 @@ std::shared_ptr<SiteDistances> distancesOf(const TriangleMesh& mesh,
 }
 
 void requireFree(const SiteDistances& distances) {
-  if (distances.isTaken())
-    throw Error(ErrorCode::kInvalidArgument, "the distances have been given to a diagram before");
+  if (distances.isTaken()) rejectArgument("the distances have been given to a diagram before");
 }
 
 /// The implementation behind a field made by `propagate`.
 std::shared_ptr<SiteDistances> asSiteDistances(const TriangleMesh& mesh,
                                                const std::shared_ptr<DistanceField>& distances) {
   auto found = std::dynamic_pointer_cast<SiteDistances>(distances);
-  if (!found)
-    throw Error(ErrorCode::kInvalidArgument, "the distances are not those that propagate gives");
+  if (!found) rejectArgument("the distances are not those that propagate gives");
   requireMesh(mesh, *found);
   requireFree(*found);
   return found;
@@ -71,13 +70,12 @@ class DynamicDiagram::Implementation {
 
   /// Throws unless the last change was carried to its end.
   void requireWhole() const {
-    if (isChanging_)
-      throw Error(ErrorCode::kInvalidArgument, "a change of the diagram is not finished");
+    if (isChanging_) rejectArgument("a change of the diagram is not finished");
   }
 
   void requireSite(int label) const {
     if (!distances_->sites().contains(label))
-      throw Error(ErrorCode::kInvalidArgument, "there is no site " + std::to_string(label));
+      rejectArgument("there is no site " + std::to_string(label));
   }
 
   class Update;

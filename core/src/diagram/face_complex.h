@@ -34,7 +34,10 @@ class FaceComplex {
   /// smaller ones: one label owns all of such a side.
   int twin(int h) const { return hasOwnElements_ ? twins_[h] : mesh_.twin(h); }
   /// The mesh's boundary halfedge that a halfedge is part of, -1 if none.
-  int boundaryHalfedge(int h) const;
+  int boundaryHalfedge(int h) const {
+    if (hasOwnElements_) return elements_.boundaryHalfedge(mesh_, h);
+    return mesh_.twin(h) < 0 ? h : -1;
+  }
   /// The number of faces of the complex, and the index of a face among them, -1 if it is not in.
   int faceCount() const { return isPart() ? partSize_ : mesh_.faceCount(); }
   int faceIndex(int face) const { return isPart() ? indexInPart_[face] : face; }
@@ -54,7 +57,12 @@ class FaceComplex {
 
   /// The nodes between the ends of a halfedge where its element meets smaller ones, in order. None
   /// where the elements on both sides have the same size.
-  std::vector<NodeLabels::InnerNode> innerNodes(int h) const;
+  std::vector<NodeLabels::InnerNode> innerNodes(int h) const {
+    std::vector<NodeLabels::InnerNode> inner;
+    if (!hasFacesOnly() && twins_[h] < 0)
+      nodes_.appendBetween(elements_.tail[h], elements_.tail[TriangleMesh::next(h)], inner);
+    return inner;
+  }
   /// The label that owns all of an element: the owner of all its nodes. `Diagram::kUnreachable` if
   /// they have none, `Diagram::kMixed` if they have several.
   int soleOwner(int element) const { return soleOwner_[element]; }

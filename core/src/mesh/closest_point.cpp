@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "gvd/error.h"
+#include "base/rejection.h"
 #include "mesh/triangle_tree.h"
 
 namespace gvd {
@@ -37,8 +37,7 @@ ClosestPointQuery& ClosestPointQuery::operator=(ClosestPointQuery&&) noexcept = 
 ClosestPoint ClosestPointQuery::closestTo(const Eigen::Vector3d& place) const {
   const TriangleTree::Nearest nearest = tree_->nearest(place);
   if (nearest.triangle < 0)
-    throw Error(ErrorCode::kInvalidPoint,
-                "the distance of the place from the surface is not a finite number");
+    rejectPoint("the distance of the place from the surface is not a finite number");
   return {{nearest.triangle, nearest.bary}, std::sqrt(nearest.squaredDistance)};
 }
 

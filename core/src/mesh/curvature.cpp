@@ -12,8 +12,8 @@
 #include <numbers>
 #include <utility>
 
+#include "base/rejection.h"
 #include "base/sliced_loop.h"
-#include "gvd/error.h"
 #include "gvd/surface_point.h"
 
 namespace gvd {
@@ -100,8 +100,7 @@ class DensityMaking final : public SlicedWork<std::vector<double>> {
   DensityMaking(const TriangleMesh& mesh, const CurvatureDensityOptions& options)
       : mesh_(mesh), options_(options), measuring_(mesh) {
     if (options.smoothing < 0 || !(options.floor > 0 && std::isfinite(options.floor)))
-      throw Error(ErrorCode::kInvalidArgument,
-                  "the smoothing is negative, or the floor not positive and finite");
+      rejectArgument("the smoothing is negative, or the floor not positive and finite");
   }
 
   bool advance(long budget) override {

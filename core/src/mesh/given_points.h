@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "base/rejection.h"
 #include "base/tolerances.h"
-#include "gvd/error.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 
@@ -34,8 +34,7 @@ inline Eigen::Vector3d cleanBarycentric(const Eigen::Vector3d& bary) {
 /// mesh; the message begins with `what`.
 inline SurfacePoint onMesh(const TriangleMesh& mesh, const SurfacePoint& p,
                            const std::string& what = {}) {
-  if (const std::string fault = mesh.faultOfPoint(p); !fault.empty())
-    throw Error(ErrorCode::kInvalidPoint, what + fault);
+  if (const std::string fault = mesh.faultOfPoint(p); !fault.empty()) rejectPoint(what + fault);
   return {p.face, cleanBarycentric(p.bary)};
 }
 

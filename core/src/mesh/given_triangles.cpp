@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-#include "gvd/error.h"
+#include "base/rejection.h"
 
 namespace gvd {
 namespace {
@@ -16,8 +16,6 @@ void requireMultipleOfThree(std::size_t count, const std::string& what) {
 }
 
 }  // namespace
-
-void rejectMesh(const std::string& why) { throw Error(ErrorCode::kInvalidMesh, why); }
 
 void requireTriples(std::size_t coordinates, std::size_t indices) {
   requireMultipleOfThree(coordinates, "coordinates");

@@ -9,9 +9,6 @@
 
 namespace gvd {
 
-/// Throws `Error(kInvalidMesh)`: of these triangles no mesh can be made.
-[[noreturn]] void rejectMesh(const std::string& why);
-
 /// Throws `Error(kInvalidMesh)` unless both arrays have a multiple of three numbers, as many as an
 /// int can count.
 void requireTriples(std::size_t coordinates, std::size_t indices);

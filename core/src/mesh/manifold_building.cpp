@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "gvd/error.h"
+#include "base/rejection.h"
 
 namespace gvd {
 
@@ -166,9 +166,8 @@ void SmallComponents::numberAnew() {
   for (std::size_t c = 0; c < size_.size(); ++c)
     if (size_[c] >= least_) newComponent_[c] = components++;
   if (components == 0)
-    throw Error(ErrorCode::kInvalidMesh,
-                "no component has " + std::to_string(least_) + " triangles: the largest has " +
-                    std::to_string(*std::max_element(size_.begin(), size_.end())));
+    rejectMesh("no component has " + std::to_string(least_) + " triangles: the largest has " +
+               std::to_string(*std::max_element(size_.begin(), size_.end())));
   repairs_.smallComponents = oriented_.components - components;
   oriented_.components = components;
 }

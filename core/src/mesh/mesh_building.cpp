@@ -7,7 +7,7 @@
 
 #include "base/bucket_queue.h"
 #include "base/number_text.h"
-#include "gvd/error.h"
+#include "base/rejection.h"
 #include "mesh/given_triangles.h"
 
 namespace gvd {
@@ -32,11 +32,11 @@ constexpr long kMeasuredFaces = 2;
 constexpr double kSeamWidth = 1e-6;
 
 void requireValid(const MeshOptions& options) {
-  const auto reject = [](const std::string& why) { throw Error(ErrorCode::kInvalidArgument, why); };
   if (!(options.weld >= 0 && options.weld <= 1))
-    reject("weld is " + numberText(options.weld) + ", not a number from 0 to 1");
+    rejectArgument("weld is " + numberText(options.weld) + ", not a number from 0 to 1");
   if (options.minComponent < 0)
-    reject("minComponent is " + std::to_string(options.minComponent) + ", not a number from 0");
+    rejectArgument("minComponent is " + std::to_string(options.minComponent) +
+                   ", not a number from 0");
 }
 
 }  // namespace

@@ -3,14 +3,21 @@
 
 #include <cstddef>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "base/random.h"
+#include "base/rejection.h"
 #include "base/sliced_loop.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 
 namespace gvd {
+
+/// Throws `Error(kInvalidArgument)` if a number of points to be drawn is negative.
+inline void requireCount(int count) {
+  if (count < 0) rejectArgument("there cannot be " + std::to_string(count) + " sample points");
+}
 
 /// Lengthens a list to the cumulative sums of the areas of all faces, in slices; true when it is
 /// that long.

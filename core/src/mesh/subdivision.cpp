@@ -14,8 +14,8 @@
 
 #include "base/hashing.h"
 #include "base/number_text.h"
+#include "base/rejection.h"
 #include "base/sliced_loop.h"
-#include "gvd/error.h"
 #include "gvd/surface_point.h"
 #include "mesh/given_triangles.h"
 
@@ -25,11 +25,10 @@ namespace {
 using Eigen::Vector3d;
 
 void requireValid(const SubdivisionOptions& options) {
-  const auto reject = [](const std::string& why) { throw Error(ErrorCode::kInvalidArgument, why); };
   if (!(options.maxEdge > 0 && options.maxEdge <= 1))
-    reject("maxEdge is " + numberText(options.maxEdge) + ", not above 0 and at most 1");
+    rejectArgument("maxEdge is " + numberText(options.maxEdge) + ", not above 0 and at most 1");
   if (options.maxTriangles < 1)
-    reject("maxTriangles is " + std::to_string(options.maxTriangles) + ", not positive");
+    rejectArgument("maxTriangles is " + std::to_string(options.maxTriangles) + ", not positive");
 }
 
 /// Subdivides twice: first the parts are only counted, so that there is room for them, or an error,
@@ -141,9 +140,8 @@ class Subdivision final : public SlicedWork<SubdividedTriangles> {
 
   void count() {
     if (partCount_++ < options_.maxTriangles) return;
-    throw Error(ErrorCode::kInvalidArgument,
-                "with maxEdge " + numberText(options_.maxEdge) + " there would be more than " +
-                    std::to_string(options_.maxTriangles) + " triangles");
+    rejectArgument("with maxEdge " + numberText(options_.maxEdge) + " there would be more than " +
+                   std::to_string(options_.maxTriangles) + " triangles");
   }
 
   /// Makes room for the parts, and for a midpoint each, of which there are about half as many.

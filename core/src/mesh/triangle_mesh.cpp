@@ -8,18 +8,14 @@
 #include <utility>
 
 #include "base/number_text.h"
+#include "base/rejection.h"
 #include "base/tolerances.h"
-#include "gvd/error.h"
 #include "mesh/given_points.h"
 
 namespace gvd {
 namespace {
 
 // --- Points from outside ------------------------------------------------------------------------
-
-[[noreturn]] void rejectPoint(const std::string& why) {
-  throw Error(ErrorCode::kInvalidPoint, why);
-}
 
 /// The fault of barycentric coordinates, beyond the tolerance; empty if there is none.
 std::string faultOf(const Eigen::Vector3d& bary) {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "gvd/error.h"
+#include "base/rejection.h"
 
 namespace gvd {
 
@@ -80,13 +80,12 @@ void TriangleSelection::keep(int t) {
 void TriangleSelection::requireAny() const {
   if (!out_.input.empty()) return;
   const int count = welded_.size();
-  throw Error(ErrorCode::kInvalidMesh,
-              count == 0 ? "there are no triangles"
-                         : "no triangle is left: of " + std::to_string(count) + " triangles " +
-                               std::to_string(repairs_.nonFiniteTriangles) +
-                               " have a corner that is not finite and " +
-                               std::to_string(repairs_.degenerateTriangles) +
-                               " have two corners at one position");
+  rejectMesh(count == 0 ? "there are no triangles"
+                        : "no triangle is left: of " + std::to_string(count) + " triangles " +
+                              std::to_string(repairs_.nonFiniteTriangles) +
+                              " have a corner that is not finite and " +
+                              std::to_string(repairs_.degenerateTriangles) +
+                              " have two corners at one position");
 }
 
 }  // namespace gvd

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/rejection.h"
 #include "base/sliced_loop.h"
 #include "gvd/dual.h"
-#include "gvd/error.h"
 #include "gvd/partition.h"
 #include "mesh/given_points.h"
 #include "partition/region_complex.h"
@@ -73,9 +73,8 @@ auto fromRegions(const TriangleMesh& mesh, const Diagram& diagram, Make make) {
 inline std::vector<SurfacePoint> sitesOf(const TriangleMesh& mesh, const Diagram& diagram,
                                          std::span<const SurfacePoint> sites) {
   if (static_cast<int>(sites.size()) != diagram.siteCount)
-    throw Error(ErrorCode::kInvalidArgument, "there are " + std::to_string(sites.size()) +
-                                                 " sites for a diagram of " +
-                                                 std::to_string(diagram.siteCount));
+    rejectArgument("there are " + std::to_string(sites.size()) + " sites for a diagram of " +
+                   std::to_string(diagram.siteCount));
   return allOnMesh(mesh, sites, "site ");
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "base/rejection.h"
 #include "base/sliced_loop.h"
 #include "distance/site_distances.h"
 #include "gvd/dynamic_diagram.h"
@@ -33,8 +34,7 @@ std::vector<Gap> gapsOf(const TriangleMesh& mesh, std::span<const SurfacePoint> 
   for (const auto& [violation, triangles, bareFace] :
        inspect(mesh, sites, diagram, partition, complex)) {
     const std::vector<int>& labels = violation.labels;
-    if (violation.kind == Violation::kNoRegion)
-      throw Error(ErrorCode::kInvalidArgument, violation.message);
+    if (violation.kind == Violation::kNoRegion) rejectArgument(violation.message);
     if (violation.kind == Violation::kNoManifold) throw std::logic_error(violation.message);
     if (std::any_of(labels.begin(), labels.end(), [&](int label) { return isTouched[label]; }))
       continue;
@@ -132,9 +132,7 @@ std::vector<SurfacePoint> repairingSites(const TriangleMesh& mesh,
 // --- Rounds --------------------------------------------------------------------------------------
 
 void requireMaxAdded(int count) {
-  if (count < 0)
-    throw Error(ErrorCode::kInvalidArgument,
-                "maxAdded is " + std::to_string(count) + ", not a number from 0");
+  if (count < 0) rejectArgument("maxAdded is " + std::to_string(count) + ", not a number from 0");
 }
 
 namespace {

@@ -9,9 +9,9 @@
 #include <string>
 #include <utility>
 
+#include "base/rejection.h"
 #include "base/sorting.h"
 #include "diagram/point_merging.h"
-#include "gvd/error.h"
 #include "mesh/corners.h"
 #include "partition/convex_triangulation.h"
 
@@ -75,8 +75,8 @@ class PolygonHalfedges {
   for (int f = 0; f < mesh.faces.size(); ++f)
     for (const int v : mesh.faces[f])
       if (v < 0 || v >= vertexCount)
-        throw Error(ErrorCode::kInvalidArgument,
-                    "polygon " + std::to_string(f) + ": there is no vertex " + std::to_string(v));
+        rejectArgument("polygon " + std::to_string(f) + ": there is no vertex " +
+                       std::to_string(v));
 }
 
 bool hasRepeatedCorner(const PolygonMesh& mesh) {

@@ -10,11 +10,10 @@
 #include <vector>
 
 #include "base/random.h"
-#include "gvd/error.h"
+#include "base/rejection.h"
 #include "gvd/sampling.h"
 #include "mesh/given_points.h"
 #include "mesh/point_drawing.h"
-#include "tessellation/sample_count.h"
 
 namespace gvd {
 namespace {
@@ -55,10 +54,9 @@ std::vector<SurfacePoint> coverComponents(const TriangleMesh& mesh,
   const int components = mesh.topology().components;
   const std::int64_t needed = static_cast<std::int64_t>(perComponent) * components;
   if (needed > count)
-    throw Error(ErrorCode::kInvalidArgument,
-                std::to_string(perComponent) + " per component, of which the mesh has " +
-                    std::to_string(components) + ", makes " + std::to_string(needed) +
-                    " sites, more than the " + std::to_string(count) + " in all");
+    rejectArgument(std::to_string(perComponent) + " per component, of which the mesh has " +
+                   std::to_string(components) + ", makes " + std::to_string(needed) +
+                   " sites, more than the " + std::to_string(count) + " in all");
   points = allOnMesh(mesh, points, "point ");
   std::vector<int> counts = countPerComponent(mesh, points);
   const std::vector<SurfacePoint> missing = drawMissing(mesh, counts, perComponent, seed);

@@ -14,8 +14,8 @@
 
 #include "base/plane.h"
 #include "base/random.h"
+#include "base/rejection.h"
 #include "base/sliced_loop.h"
-#include "gvd/error.h"
 #include "gvd/straightest.h"
 #include "mesh/given_points.h"
 #include "mesh/point_drawing.h"
@@ -30,7 +30,7 @@ using Eigen::Vector2d;
 using Eigen::VectorXd;
 
 void require(bool condition, const std::string& what) {
-  if (!condition) throw Error(ErrorCode::kInvalidArgument, what);
+  if (!condition) rejectArgument(what);
 }
 
 void validate(const TriangleMesh& mesh, size_t siteCount, const CvtOptions& options) {

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "base/number_text.h"
-#include "gvd/error.h"
+#include "base/rejection.h"
 #include "gvd/triangle_mesh.h"
 
 namespace gvd {
@@ -24,16 +24,15 @@ inline double mostDensity(const TriangleMesh& mesh) {
 /// Throws `Error(kInvalidArgument)` unless there is one density per vertex of the mesh, finite, not
 /// negative, and small enough to be integrated.
 inline void requireDensity(const TriangleMesh& mesh, std::span<const double> density) {
-  const auto fail = [](const std::string& what) { throw Error(ErrorCode::kInvalidArgument, what); };
   const size_t vertices = mesh.vertexCount();
   if (density.size() != vertices)
-    fail("there are " + std::to_string(density.size()) + " densities for " +
-         std::to_string(vertices) + " vertices");
+    rejectArgument("there are " + std::to_string(density.size()) + " densities for " +
+                   std::to_string(vertices) + " vertices");
   const double most = mostDensity(mesh);
   for (size_t v = 0; v < vertices; ++v) {
     const bool isFinite = density[v] >= 0 && std::isfinite(density[v]);
     if (isFinite && density[v] <= most) continue;
-    fail(
+    rejectArgument(
         "the density at vertex " + std::to_string(v) + " is " + numberText(density[v]) +
         (isFinite ? ", more than can be integrated on this mesh" : ", not a finite number from 0"));
   }

@@ -16,16 +16,15 @@
 
 #include "base/number_text.h"
 #include "base/random.h"
+#include "base/rejection.h"
 #include "base/sliced_loop.h"
 #include "distance/dgpc/unfolding_sweep.h"
-#include "gvd/error.h"
 #include "gvd/geodesic.h"
 #include "gvd/sampling.h"
 #include "mesh/point_drawing.h"
 #include "mesh/representations.h"
 #include "mesh/surface_geometry.h"
 #include "tessellation/disk_grid.h"
-#include "tessellation/sample_count.h"
 #include "tessellation/vertex_covering.h"
 
 namespace gvd {
@@ -176,8 +175,7 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
 std::unique_ptr<SlicedWork<PoissonDisk>> startPoissonDisk(const TriangleMesh& mesh, double radius,
                                                           std::uint64_t seed) {
   if (!(radius > 0 && std::isfinite(radius)))
-    throw Error(ErrorCode::kInvalidArgument,
-                "a Poisson disk cannot have the radius " + numberText(radius));
+    rejectArgument("a Poisson disk cannot have the radius " + numberText(radius));
   return std::make_unique<DiskSampling>(mesh, std::nullopt, radius, seed);
 }
 

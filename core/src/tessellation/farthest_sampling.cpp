@@ -12,14 +12,13 @@
 #include <vector>
 
 #include "base/number_text.h"
+#include "base/rejection.h"
 #include "base/sliced_loop.h"
 #include "distance/dgpc/unfolding_sweep.h"
-#include "gvd/error.h"
 #include "gvd/geodesic.h"
 #include "gvd/sampling.h"
 #include "mesh/point_drawing.h"
 #include "mesh/representations.h"
-#include "tessellation/sample_count.h"
 #include "tessellation/vertex_covering.h"
 
 namespace gvd {
@@ -123,8 +122,7 @@ std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startFarthest(const Trian
                                                                      int count, std::uint64_t seed,
                                                                      double coveringRadius) {
   if (!(coveringRadius >= 0))
-    throw Error(ErrorCode::kInvalidArgument,
-                "points cannot cover a surface with the radius " + numberText(coveringRadius));
+    rejectArgument("points cannot cover a surface with the radius " + numberText(coveringRadius));
   return std::make_unique<FarthestSampling>(mesh, count, seed, coveringRadius);
 }
 

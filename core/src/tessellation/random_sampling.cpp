@@ -10,12 +10,11 @@
 #include <vector>
 
 #include "base/random.h"
+#include "base/rejection.h"
 #include "base/sliced_loop.h"
-#include "gvd/error.h"
 #include "gvd/sampling.h"
 #include "mesh/point_drawing.h"
 #include "tessellation/density.h"
-#include "tessellation/sample_count.h"
 
 namespace gvd {
 namespace {
@@ -40,8 +39,7 @@ class RandomSampling final : public SlicedWork<std::vector<SurfacePoint>> {
           });
         },
         [&] {
-          if (!(sum_ > 0))
-            throw Error(ErrorCode::kInvalidArgument, "the density is zero all over the surface");
+          if (!(sum_ > 0)) rejectArgument("the density is zero all over the surface");
         },
         [&] { return loop_.run(count_, budget, 1, [&](int) { points_.push_back(draw()); }); });
   }
