@@ -33,34 +33,15 @@ namespace gvd {
 namespace gltf {
 namespace {
 
-/// The size of a scene; adding to it throws beyond the limits.
-class SceneSize {
- public:
-  explicit SceneSize(const GltfLimits& limits) : limits_(limits) {}
-
-  void add(const PrimitiveSize& primitive) {
-    add(vertices_, primitive.vertices, limits_.maxVertices, "vertices", "maxVertices");
-    add(triangles_, primitive.triangles, limits_.maxTriangles, "triangles", "maxTriangles");
-    add(zeroElements_, primitive.zeroElements, limits_.maxZeroElements,
-        "elements in accessors without a buffer view", "maxZeroElements");
-  }
-
-  std::uint64_t vertices() const { return vertices_; }
-  std::uint64_t triangles() const { return triangles_; }
-
- private:
-  static void add(std::uint64_t& sum, std::uint64_t count, std::uint64_t limit, const char* what,
-                  const char* name) {
-    constexpr std::uint64_t kMost = INT32_MAX / 3;  // corners are numbered by `int`
-    sum += count;
-    if (sum > limit)
-      reject("the scene has more than " + std::to_string(limit) + ' ' + what + toRaise(name));
-    if (sum > kMost) reject("the scene has more than " + std::to_string(kMost) + ' ' + what);
-  }
-
-  const GltfLimits& limits_;
-  std::uint64_t vertices_ = 0, triangles_ = 0, zeroElements_ = 0;
-};
+/// Adds to a count; throws beyond its limit.
+void addUp(std::uint64_t& sum, std::uint64_t count, std::uint64_t limit, const char* what,
+           const char* limitName) {
+  constexpr std::uint64_t kMost = INT32_MAX / 3;  // corners are numbered by `int`
+  sum += count;
+  if (sum > limit)
+    reject("the scene has more than " + std::to_string(limit) + ' ' + what + toRaise(limitName));
+  if (sum > kMost) reject("the scene has more than " + std::to_string(kMost) + ' ' + what);
+}
 
 /// Reads a scene in slices.
 class SceneReading final : public SlicedWork<GltfScene> {
@@ -95,17 +76,18 @@ class SceneReading final : public SlicedWork<GltfScene> {
   /// Adds up the size of the scene; throws if it exceeds a limit, before anything is read.
   void measure() {
     meshes_ = placedMeshes(document_, *accessors_, limits_);
-    SceneSize size(limits_);
+    PrimitiveSize size;
     for (const PlacedMesh& at : meshes_) {
       const int count = static_cast<int>(document_.meshes[at.mesh].primitives.size());
       for (int i = 0; i < count; ++i) measure({&at, i}, size);
       skins_ += at.node >= 0 && document_.nodes[at.node].isSkinned;
     }
-    scene_.positions.reserve(3 * size.vertices());
-    scene_.triangles.reserve(3 * size.triangles());
+    scene_.positions.reserve(3 * size.vertices);
+    scene_.triangles.reserve(3 * size.triangles);
   }
 
-  void measure(const Placed& placed, SceneSize& size) {
+  /// Adds the size of a primitive to that of the scene.
+  void measure(const Placed& placed, PrimitiveSize& size) {
     const Primitive& primitive = primitiveOf(placed);
     const std::string name = nameOf(placed);
     const PrimitiveKind kind = kindOf(primitive, name);
@@ -113,9 +95,12 @@ class SceneReading final : public SlicedWork<GltfScene> {
     emptyPrimitives_ += kind == PrimitiveKind::kWithoutPositions;
     if (kind != PrimitiveKind::kTriangles) return;
     morphs_ += !primitive.targets.empty();
-    PrimitiveSize asked = sizeOf(primitive, weightsOf(placed), *accessors_, name);
-    if (placed.at->isFreeInstance) asked.zeroElements += asked.vertices;
-    size.add(asked);
+    PrimitiveSize own = sizeOf(primitive, weightsOf(placed), *accessors_, name);
+    if (placed.at->isFreeInstance) own.zeroElements += own.vertices;
+    addUp(size.vertices, own.vertices, limits_.maxVertices, "vertices", "maxVertices");
+    addUp(size.triangles, own.triangles, limits_.maxTriangles, "triangles", "maxTriangles");
+    addUp(size.zeroElements, own.zeroElements, limits_.maxZeroElements,
+          "elements in accessors without a buffer view", "maxZeroElements");
     primitives_.push_back(placed);
   }
 
