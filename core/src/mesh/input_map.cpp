@@ -19,8 +19,10 @@ std::pair<int, int> endsOf(const Corners& corners) {
 
 bool InputMap::step(long& budget) {
   const std::size_t vertices = representative_.size();
+  const Faces& faces = selection_.faces;
+  std::vector<int>& kept = selection_.kept;
   const auto forTriangles = [&](long perUnit, auto body) {
-    return loop_.run(kept_.size(), budget, perUnit, body);
+    return loop_.run(kept.size(), budget, perUnit, body);
   };
   return sequence_.run(
       // Finds, for each degenerate triangle, a face with corners at both of its positions.
@@ -31,15 +33,15 @@ bool InputMap::step(long& budget) {
         });
       },
       [&] {
-        return faceWith_.empty() || loop_.run(3 * faces_.size(), budget, 4, [&](int h) {
-          offer(tailOf(faces_, h), tailOf(faces_, h), h / 3);
-          offer(tailOf(faces_, h), tipOf(faces_, h), h / 3);
+        return faceWith_.empty() || loop_.run(3 * faces.size(), budget, 4, [&](int h) {
+          offer(tailOf(faces, h), tailOf(faces, h), h / 3);
+          offer(tailOf(faces, h), tipOf(faces, h), h / 3);
         });
       },
       [&] {
         return faceWith_.empty() || forTriangles(4, [&](int t) {
                  if (const Corners corners = welded()[t]; isSought(corners))
-                   kept_[t] = faceWith_.at(endsOf(corners));
+                   kept[t] = faceWith_.at(endsOf(corners));
                });
       },
       [&] {
@@ -57,9 +59,9 @@ void InputMap::offer(int a, int b, int face) {
 }
 
 void InputMap::mapTriangle(int t) {
-  const int face = kept_[t];
+  const int face = selection_.kept[t];
   if (face < 0) return;
-  const Corners& corners = faces_[face].vertices;
+  const Corners& corners = selection_.faces[face].vertices;
   Corners halfedges;
   for (int i = 0; i < 3; ++i) {
     const int vertex = triangles_[3 * static_cast<std::size_t>(t) + i];
@@ -69,7 +71,7 @@ void InputMap::mapTriangle(int t) {
     for (int* slot : {&out_.ofVertex[vertex], &ofRepresentative_[representative]})
       if (*slot < 0) *slot = halfedges[i];
   }
-  if (input_[face] != t) out_.dropped.push_back({t, halfedges});
+  if (selection_.input[face] != t) out_.dropped.push_back({t, halfedges});
 }
 
 void InputMap::mapVertex(int v) {

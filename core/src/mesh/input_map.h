@@ -32,9 +32,7 @@ class InputMap {
            Selection& selection, MeshRepairs& repairs)
       : triangles_(triangles),
         representative_(representative),
-        faces_(selection.faces),
-        input_(selection.input),
-        kept_(selection.kept),
+        selection_(selection),
         repairs_(repairs) {}
   bool step(long& budget);
   Halfedges take() { return std::move(out_); }
@@ -47,9 +45,7 @@ class InputMap {
 
   const std::vector<int>& triangles_;
   const std::vector<int>& representative_;
-  const Faces& faces_;
-  const std::vector<int>& input_;
-  std::vector<int>& kept_;
+  Selection& selection_;
   MeshRepairs& repairs_;
 
   SlicedSequence sequence_;

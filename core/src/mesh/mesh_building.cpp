@@ -1,14 +1,28 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/mesh_building.h"
-
+//
+// Building a mesh: the stages, one after the other, in slices.
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "base/bucket_queue.h"
 #include "base/number_text.h"
 #include "base/rejection.h"
+#include "base/sliced_loop.h"
+#include "gvd/sliced_work.h"
+#include "gvd/triangle_mesh.h"
 #include "mesh/given_triangles.h"
+#include "mesh/input_map.h"
+#include "mesh/manifold_building.h"
+#include "mesh/mollification.h"
+#include "mesh/point_grid.h"
+#include "mesh/triangle_selection.h"
+#include "mesh/vertex_welding.h"
 
 namespace gvd {
 namespace {
@@ -41,298 +55,343 @@ void requireValid(const MeshOptions& options) {
 
 }  // namespace
 
-MeshBuilding::MeshBuilding(std::vector<double> positions, std::vector<int> triangles,
-                           const MeshOptions& options)
-    : positions_(std::move(positions)), triangles_(std::move(triangles)), options_(options) {
-  requireValid(options);
-  requireTriples(positions_.size(), triangles_.size());
-}
+/// Builds a manifold from any list of triangles, by the steps listed at `TriangleMesh`.
+/// Each step writes into the faces of the mesh, and intermediate results are freed as soon as no
+/// later step needs them, so that building takes no more memory than the finished mesh.
+class MeshBuilding final : public SlicedWork<TriangleMesh> {
+ public:
+  MeshBuilding(std::vector<double> positions, std::vector<int> triangles,
+               const MeshOptions& options)
+      : positions_(std::move(positions)), triangles_(std::move(triangles)), options_(options) {
+    requireValid(options);
+    requireTriples(positions_.size(), triangles_.size());
+  }
 
-bool MeshBuilding::advance(long budget) {
-  return makeManifold(budget) && placeVertices(budget) && measure(budget) && findBoundary(budget);
-}
+  bool advance(long budget) override {
+    return makeManifold(budget) && placeVertices(budget) && measure(budget) && findBoundary(budget);
+  }
 
-double MeshBuilding::progress() const {
-  double sum = 0;
-  for (const SlicedSequence* stage : {&making_, &placing_, &measuring_, &finding_})
-    sum += stage->progress();
-  return sum / 4;
-}
+  double progress() const override {
+    double sum = 0;
+    for (const SlicedSequence* stage : {&making_, &placing_, &measuring_, &finding_})
+      sum += stage->progress();
+    return sum / 4;
+  }
+  TriangleMesh result() override { return std::move(mesh_); }
 
-/// Steps 1 to 7 at `TriangleMesh`, and the map from the input.
-bool MeshBuilding::makeManifold(long& budget) {
-  TriangleMesh& m = mesh_;
-  return making_.run(
-      [&] {
-        return loop_.run(triangles_.size() / 3, budget, kQuickRounds,
-                         [&](int t) { requireVertices(triangles_, t, inputVertexCount()); });
-      },
-      [&] { return runPart(welding_, budget, positions_, triangles_, options_.weld); },
-      [&] { representative_ = taken(welding_); },
-      [&] {
-        return runPart(selecting_, budget, WeldedTriangles{triangles_, representative_},
-                       inputVertexCount(), m.repairs_);
-      },
-      [&] { selection_ = taken(selecting_); },
-      [&] { return runPart(matching_, budget, selection_.faces, inputVertexCount(), m.repairs_); },
-      [&] { matching_.reset(); },
-      [&] {
-        return runPart(orienting_, budget, selection_.faces, options_.orientation, m.repairs_);
-      },
-      [&] { oriented_ = taken(orienting_); },
-      [&] {
-        return runPart(dropping_, budget, options_.minComponent, selection_, oriented_, m.repairs_);
-      },
-      [&] { dropping_.reset(); },
-      [&] {
-        return runPart(mapping_, budget, triangles_, representative_, selection_, m.repairs_);
-      },
-      [&] { takeFaces(); },
-      [&] { return runPart(splitting_, budget, m.faces_, inputVertexCount(), m.repairs_); },
-      [&] { fans_ = taken(splitting_); });
-}
+ private:
+  /// Steps 1 to 7 at `TriangleMesh`, and the map from the input.
+  bool makeManifold(long& budget) {
+    TriangleMesh& m = mesh_;
+    return making_.run(
+        [&] {
+          return loop_.run(triangles_.size() / 3, budget, kQuickRounds,
+                           [&](int t) { requireVertices(triangles_, t, inputVertexCount()); });
+        },
+        [&] { return runPart(welding_, budget, positions_, triangles_, options_.weld); },
+        [&] { representative_ = taken(welding_); },
+        [&] {
+          return runPart(selecting_, budget, WeldedTriangles{triangles_, representative_},
+                         inputVertexCount(), m.repairs_);
+        },
+        [&] { selection_ = taken(selecting_); },
+        [&] {
+          return runPart(matching_, budget, selection_.faces, inputVertexCount(), m.repairs_);
+        },
+        [&] { matching_.reset(); },
+        [&] {
+          return runPart(orienting_, budget, selection_.faces, options_.orientation, m.repairs_);
+        },
+        [&] { oriented_ = taken(orienting_); },
+        [&] {
+          return runPart(dropping_, budget, options_.minComponent, selection_, oriented_,
+                         m.repairs_);
+        },
+        [&] { dropping_.reset(); },
+        [&] {
+          return runPart(mapping_, budget, triangles_, representative_, selection_, m.repairs_);
+        },
+        [&] { takeFaces(); },
+        [&] { return runPart(splitting_, budget, m.faces_, inputVertexCount(), m.repairs_); },
+        [&] { fans_ = taken(splitting_); });
+  }
 
-/// The halfedges and the position of each vertex.
-bool MeshBuilding::placeVertices(long& budget) {
-  TriangleMesh& m = mesh_;
-  return placing_.run(
-      [&] { return fillInSlices(m.fanHalfedges_, m.halfedgeCount(), -1, budget); },
-      [&] { takeFans(); },
-      [&] { return loop_.run(m.vertexCount(), budget, kQuickRounds, [&](int v) { listFan(v); }); },
-      [&] {
-        release(fans_.outgoing);
-        if (const std::size_t size = 3 * m.inputVertex_.size(); size > positions_.size()) {
-          positions_.reserve(size);
-          positions_.resize(size);
-        }
-      },
-      [&] { return loop_.run(m.inputVertex_.size(), budget, 8, [&](int v) { takePosition(v); }); },
-      [&] {
-        positions_.resize(3 * m.inputVertex_.size());
-        positions_.shrink_to_fit();
-        m.positions_ = std::move(positions_);
-      });
-}
-
-/// Lengths, angles and areas, with step 8 at `TriangleMesh`.
-bool MeshBuilding::measure(long& budget) {
-  TriangleMesh& m = mesh_;
-  const auto forFaces = [&](long perUnit, auto body) {
-    return loop_.run(m.faceCount(), budget, perUnit, body);
-  };
-  const auto isLengthened = [&] { return m.repairs_.mollification > 0; };
-  return measuring_.run(
-      [&] {
-        return loop_.run(m.vertexCount(), budget, kQuickRounds,
-                         [&](int v) { box_.extend(m.position(v)); });
-      },
-      [&] { requireExtent(); },
-      [&] { return forFaces(kMeasuredFaces, [&](int f) { measureFace(f); }); },
-      [&] { requireEdgeLength(); },
-      [&] {
-        return loop_.run(maybeFlat_.size(), budget, kQuickRounds,
-                         [&](int i) { noteFlatness(maybeFlat_[i].first, maybeFlat_[i].second); });
-      },
-      [&] {
-        return !isLengthened() || forFaces(kMeasuredFaces, [&](int f) {
-          setFace(f, lengthened(triangle(f), m.repairs_.mollification));
+  /// The halfedges and the position of each vertex.
+  bool placeVertices(long& budget) {
+    TriangleMesh& m = mesh_;
+    return placing_.run(
+        [&] { return fillInSlices(m.fanHalfedges_, m.halfedgeCount(), -1, budget); },
+        [&] { takeFans(); },
+        [&] {
+          return loop_.run(m.vertexCount(), budget, kQuickRounds, [&](int v) { listFan(v); });
+        },
+        [&] {
+          release(fans_.outgoing);
+          if (const std::size_t size = 3 * m.inputVertex_.size(); size > positions_.size()) {
+            positions_.reserve(size);
+            positions_.resize(size);
+          }
+        },
+        [&] {
+          return loop_.run(m.inputVertex_.size(), budget, 8, [&](int v) { takePosition(v); });
+        },
+        [&] {
+          positions_.resize(3 * m.inputVertex_.size());
+          positions_.shrink_to_fit();
+          m.positions_ = std::move(positions_);
         });
-      },
-      [&] {
-        m.meanEdgeLength_ += m.repairs_.mollification;
-        findShortEdgeLength();
-      },
-      [&] { return fillInSlices(m.angleSum_, m.vertexCount(), 0., budget); },
-      [&] { return fillInSlices(m.longestEdge_, m.vertexCount(), 0., budget); },
-      [&] { return forFaces(8, [&](int f) { sumUp(f); }); });
-}
-
-/// The boundary loops, open seams between them, and what follows from their number.
-bool MeshBuilding::findBoundary(long& budget) {
-  TriangleMesh& m = mesh_;
-  return finding_.run(
-      [&] { return fillInSlices(isOnFoundLoop_, m.vertexCount(), '\0', budget); },
-      [&] {
-        return loop_.run(m.vertexCount(), budget, kQuickRounds, [&](int v) { followLoopFrom(v); });
-      },
-      [&] { sampleBoundary(); },
-      [&] {
-        return loop_.run(boundary_.size(), budget, 4, [&](int i) { lookForSeam(boundary_[i]); });
-      },
-      [&] { countTopology(); });
-}
-
-// --- The manifold ------------------------------------------------------------------------------
-
-/// The faces and their input triangles become the mesh's; the input is not needed any more.
-void MeshBuilding::takeFaces() {
-  InputMap::Halfedges halfedges = taken(mapping_);
-  mesh_.dropped_ = std::move(halfedges.dropped);
-  mesh_.vertexOfInput_ = std::move(halfedges.ofVertex);
-  mesh_.inputFaceCount_ = static_cast<int>(triangles_.size() / 3);
-  release(triangles_);
-  release(representative_);
-  mesh_.inputFace_ = std::move(selection_.input);
-  mesh_.faces_ = std::move(selection_.faces);
-  selection_ = {};
-  mesh_.flipped_ = std::move(oriented_.flipped);
-  mesh_.component_ = std::move(oriented_.component);
-}
-
-void MeshBuilding::takeFans() {
-  mesh_.inputVertex_ = std::move(fans_.representative);
-  mesh_.fanBegin_.reserve(mesh_.inputVertex_.size() + 1);
-  mesh_.fanBegin_.push_back(0);
-  firstCopy_ = mesh_.vertexCount() - mesh_.repairs_.splitVertices;
-  mesh_.repairs_.flippedTriangles =
-      static_cast<int>(std::count(mesh_.flipped_.begin(), mesh_.flipped_.end(), true));
-}
-
-/// Appends the halfedges that leave a vertex. Vertices come in order.
-void MeshBuilding::listFan(int vertex) {
-  int end = mesh_.fanBegin_.back();
-  int h = fans_.outgoing[vertex];
-  do {
-    mesh_.fanHalfedges_[end++] = h;
-    h = mesh_.rotate(h);
-  } while (h >= 0 && h != fans_.outgoing[vertex]);
-  mesh_.fanBegin_.push_back(end);
-}
-
-/// Moves positions in place: vertices keep the order of the input, so positions only move towards
-/// the front. A copy takes its position from the first fan of its vertex, which has moved already.
-void MeshBuilding::takePosition(int vertex) {
-  const auto at = [&](int v) { return positions_.begin() + 3 * static_cast<std::ptrdiff_t>(v); };
-  int from = mesh_.inputVertex_[vertex];
-  if (vertex >= firstCopy_) {
-    const auto begin = mesh_.inputVertex_.begin();
-    from = static_cast<int>(std::lower_bound(begin, begin + firstCopy_, from) - begin);
   }
-  std::copy(at(from), at(from + 1), at(vertex));
-}
 
-// --- Measures ----------------------------------------------------------------------------------
-
-void MeshBuilding::requireExtent() {
-  const Eigen::Vector3d size = box_.diagonal();
-  mesh_.boundingDiagonal_ = std::sqrt(size[0] * size[0] + size[1] * size[1] + size[2] * size[2]);
-  if (!(mesh_.boundingDiagonal_ <= kLongestDiagonal))
-    rejectMesh("the positions are too far apart to measure distances");
-}
-
-void MeshBuilding::requireEdgeLength() const {
-  if (!(mesh_.meanEdgeLength_ >= kShortestMeanEdge))
-    rejectMesh("the positions are too close together to measure distances");
-}
-
-void MeshBuilding::findShortEdgeLength() {
-  constexpr int kSamples = 4096;
-  constexpr double kLeastShare = 1.0 / 256;
-  constexpr double kMostBuckets = 0x1p30;
-  int step = std::max(1, mesh_.halfedgeCount() / kSamples);
-  if (step % 3 == 0) ++step;  // of all sides of faces
-  std::vector<double> lengths;
-  for (std::int64_t h = 0; h < mesh_.halfedgeCount(); h += step)
-    lengths.push_back(mesh_.length(static_cast<int>(h)));
-  const auto quartile = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 4);
-  std::nth_element(lengths.begin(), quartile, lengths.end());
-  // No distance is longer than all edges together.
-  const double longest = mesh_.meanEdgeLength_ * mesh_.halfedgeCount();
-  mesh_.shortEdgeLength_ = std::max({*quartile, kLeastShare * mesh_.meanEdgeLength_,
-                                     longest * kMostBucketsPerEdge / kMostBuckets});
-}
-
-/// Coordinates are not centred first: centring would round them, and their differences are as
-/// accurate as the input anyway.
-IntrinsicTriangle MeshBuilding::triangle(int face) const {
-  const auto& [a, b, c] = mesh_.face(face).vertices;
-  return measureTriangle({mesh_.position(a), mesh_.position(b), mesh_.position(c)});
-}
-
-void MeshBuilding::measureFace(int face) {
-  const IntrinsicTriangle t = triangle(face);
-  setFace(face, t);
-  const double longest = std::max({t.lengths[0], t.lengths[1], t.lengths[2]});
-  // The mean edge, which is not known yet, is no longer than the diagonal.
-  if (const double excess = t.leastExcess();
-      excess < leastExcessWanted(longest, mesh_.boundingDiagonal_))
-    maybeFlat_.emplace_back(face, excess);
-  for (const double length : t.lengths) mesh_.meanEdgeLength_ += length / mesh_.halfedgeCount();
-}
-
-void MeshBuilding::noteFlatness(int face, double leastExcess) {
-  const auto& lengths = mesh_.faces_[face].lengths;
-  const double longest = *std::max_element(lengths.begin(), lengths.end());
-  const double missing = leastExcessWanted(longest, mesh_.meanEdgeLength_) - leastExcess;
-  if (missing <= 0) return;
-  MeshRepairs& repairs = mesh_.repairs_;
-  ++repairs.mollifiedTriangles;
-  repairs.mollification = std::max(repairs.mollification, missing);
-}
-
-void MeshBuilding::setFace(int f, const IntrinsicTriangle& t) {
-  TriangleMesh::Face& face = mesh_.faces_[f];
-  face.lengths = t.lengths;
-  for (int i = 0; i < 3; ++i) {
-    const double product = t.lengths[i] * t.lengths[TriangleMesh::previous(i)];
-    face.cosines[i] = t.dots[i] / product;
-    face.sines[i] = t.twiceArea / product;
-    face.angles[i] = std::atan2(t.twiceArea, t.dots[i]);
+  /// Lengths, angles and areas, with step 8 at `TriangleMesh`.
+  bool measure(long& budget) {
+    TriangleMesh& m = mesh_;
+    const auto forFaces = [&](long perUnit, auto body) {
+      return loop_.run(m.faceCount(), budget, perUnit, body);
+    };
+    const auto isLengthened = [&] { return m.repairs_.mollification > 0; };
+    return measuring_.run(
+        [&] {
+          return loop_.run(m.vertexCount(), budget, kQuickRounds,
+                           [&](int v) { box_.extend(m.position(v)); });
+        },
+        [&] { requireExtent(); },
+        [&] { return forFaces(kMeasuredFaces, [&](int f) { measureFace(f); }); },
+        [&] { requireEdgeLength(); },
+        [&] {
+          return loop_.run(maybeFlat_.size(), budget, kQuickRounds,
+                           [&](int i) { noteFlatness(maybeFlat_[i].first, maybeFlat_[i].second); });
+        },
+        [&] {
+          return !isLengthened() || forFaces(kMeasuredFaces, [&](int f) {
+            setFace(f, lengthened(triangle(f), m.repairs_.mollification));
+          });
+        },
+        [&] {
+          m.meanEdgeLength_ += m.repairs_.mollification;
+          findShortEdgeLength();
+        },
+        [&] { return fillInSlices(m.angleSum_, m.vertexCount(), 0., budget); },
+        [&] { return fillInSlices(m.longestEdge_, m.vertexCount(), 0., budget); },
+        [&] { return forFaces(8, [&](int f) { sumUp(f); }); });
   }
-  face.area = t.twiceArea / 2;
-}
 
-/// Adds a face to the sums and longest edges of its vertices, to the area and to the needles. Faces
-/// come in order.
-void MeshBuilding::sumUp(int f) {
-  for (int h = 3 * f; h < 3 * f + 3; ++h) {
-    mesh_.angleSum_[mesh_.tail(h)] += mesh_.cornerAngle(h);
-    for (const int v : {mesh_.tail(h), mesh_.tip(h)})
-      mesh_.longestEdge_[v] = std::max(mesh_.longestEdge_[v], mesh_.length(h));
+  /// The boundary loops, open seams between them, and what follows from their number.
+  bool findBoundary(long& budget) {
+    TriangleMesh& m = mesh_;
+    return finding_.run([&] { return fillInSlices(isOnFoundLoop_, m.vertexCount(), '\0', budget); },
+                        [&] {
+                          return loop_.run(m.vertexCount(), budget, kQuickRounds,
+                                           [&](int v) { followLoopFrom(v); });
+                        },
+                        [&] { sampleBoundary(); },
+                        [&] {
+                          return loop_.run(boundary_.size(), budget, 4,
+                                           [&](int i) { lookForSeam(boundary_[i]); });
+                        },
+                        [&] { countTopology(); });
   }
-  mesh_.area_ += mesh_.faceArea(f);
-  const auto& lengths = mesh_.faces_[f].lengths;
-  const auto [shortest, longest] = std::minmax_element(lengths.begin(), lengths.end());
-  if (*shortest < kNeedle * *longest) mesh_.needles_.push_back(f);
-}
 
-// --- Topology ----------------------------------------------------------------------------------
+  // --- The manifold ------------------------------------------------------------------------------
 
-void MeshBuilding::followLoopFrom(int vertex) {
-  if (!mesh_.onBoundary(vertex) || isOnFoundLoop_[vertex]) return;
-  mesh_.boundaryLoops_.push_back(mesh_.outgoing(vertex));
-  for (int v = vertex; !isOnFoundLoop_[v]; v = mesh_.tip(mesh_.outgoing(v))) {
-    isOnFoundLoop_[v] = true;
-    boundary_.push_back(v);
+  /// The faces and their input triangles become the mesh's; the input is not needed any more.
+  void takeFaces() {
+    InputMap::Halfedges halfedges = taken(mapping_);
+    mesh_.dropped_ = std::move(halfedges.dropped);
+    mesh_.vertexOfInput_ = std::move(halfedges.ofVertex);
+    mesh_.inputFaceCount_ = static_cast<int>(triangles_.size() / 3);
+    release(triangles_);
+    release(representative_);
+    mesh_.inputFace_ = std::move(selection_.input);
+    mesh_.faces_ = std::move(selection_.faces);
+    selection_ = {};
+    mesh_.flipped_ = std::move(oriented_.flipped);
+    mesh_.component_ = std::move(oriented_.component);
   }
-}
 
-void MeshBuilding::sampleBoundary() {
-  constexpr std::size_t kSamples = 4096;
-  boundarySamples_.emplace(mesh_.positions_, kSeamWidth * mesh_.boundingDiagonal_, kSamples);
-  const std::size_t step = (boundary_.size() + kSamples - 1) / kSamples;
-  for (std::size_t i = 0; i < boundary_.size(); i += step) boundarySamples_->add(boundary_[i]);
-}
+  void takeFans() {
+    mesh_.inputVertex_ = std::move(fans_.representative);
+    mesh_.fanBegin_.reserve(mesh_.inputVertex_.size() + 1);
+    mesh_.fanBegin_.push_back(0);
+    firstCopy_ = mesh_.vertexCount() - mesh_.repairs_.splitVertices;
+    mesh_.repairs_.flippedTriangles =
+        static_cast<int>(std::count(mesh_.flipped_.begin(), mesh_.flipped_.end(), true));
+  }
 
-/// Edges that were cut leave vertices at one position; these are no seam.
-void MeshBuilding::lookForSeam(int v) {
-  if (mesh_.topology_.hasOpenSeams) return;
-  const int near = boundarySamples_->firstNear(mesh_.position(v));
-  if (near < 0 || mesh_.position(near) == mesh_.position(v)) return;
-  const auto nextOnLoop = [&](int of) { return mesh_.tip(mesh_.outgoing(of)); };
-  if (nextOnLoop(v) != near && nextOnLoop(near) != v) mesh_.topology_.hasOpenSeams = true;
-}
+  /// Appends the halfedges that leave a vertex. Vertices come in order.
+  void listFan(int vertex) {
+    int end = mesh_.fanBegin_.back();
+    int h = fans_.outgoing[vertex];
+    do {
+      mesh_.fanHalfedges_[end++] = h;
+      h = mesh_.rotate(h);
+    } while (h >= 0 && h != fans_.outgoing[vertex]);
+    mesh_.fanBegin_.push_back(end);
+  }
 
-void MeshBuilding::countTopology() {
-  const int boundaryEdges = static_cast<int>(boundary_.size());  // each vertex begins one
-  MeshTopology& topology = mesh_.topology_;
-  topology.edges = (mesh_.halfedgeCount() + boundaryEdges) / 2;
-  topology.components = oriented_.components;
-  topology.eulerCharacteristic = mesh_.vertexCount() - topology.edges + mesh_.faceCount();
-  topology.boundaryLoops = static_cast<int>(mesh_.boundaryLoops_.size());
-  topology.genus =
-      genusOf(topology.components, topology.boundaryLoops, topology.eulerCharacteristic);
-}
+  /// Moves positions in place: vertices keep the order of the input, so positions only move towards
+  /// the front. A copy takes its position from the first fan of its vertex, which has moved
+  /// already.
+  void takePosition(int vertex) {
+    const auto at = [&](int v) { return positions_.begin() + 3 * static_cast<std::ptrdiff_t>(v); };
+    int from = mesh_.inputVertex_[vertex];
+    if (vertex >= firstCopy_) {
+      const auto begin = mesh_.inputVertex_.begin();
+      from = static_cast<int>(std::lower_bound(begin, begin + firstCopy_, from) - begin);
+    }
+    std::copy(at(from), at(from + 1), at(vertex));
+  }
+
+  // --- Measures ----------------------------------------------------------------------------------
+
+  void requireExtent() {
+    const Eigen::Vector3d size = box_.diagonal();
+    mesh_.boundingDiagonal_ = std::sqrt(size[0] * size[0] + size[1] * size[1] + size[2] * size[2]);
+    if (!(mesh_.boundingDiagonal_ <= kLongestDiagonal))
+      rejectMesh("the positions are too far apart to measure distances");
+  }
+
+  void requireEdgeLength() const {
+    if (!(mesh_.meanEdgeLength_ >= kShortestMeanEdge))
+      rejectMesh("the positions are too close together to measure distances");
+  }
+
+  void findShortEdgeLength() {
+    constexpr int kSamples = 4096;
+    constexpr double kLeastShare = 1.0 / 256;
+    constexpr double kMostBuckets = 0x1p30;
+    int step = std::max(1, mesh_.halfedgeCount() / kSamples);
+    if (step % 3 == 0) ++step;  // of all sides of faces
+    std::vector<double> lengths;
+    for (std::int64_t h = 0; h < mesh_.halfedgeCount(); h += step)
+      lengths.push_back(mesh_.length(static_cast<int>(h)));
+    const auto quartile = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 4);
+    std::nth_element(lengths.begin(), quartile, lengths.end());
+    // No distance is longer than all edges together.
+    const double longest = mesh_.meanEdgeLength_ * mesh_.halfedgeCount();
+    mesh_.shortEdgeLength_ = std::max({*quartile, kLeastShare * mesh_.meanEdgeLength_,
+                                       longest * kMostBucketsPerEdge / kMostBuckets});
+  }
+
+  /// Coordinates are not centred first: centring would round them, and their differences are as
+  /// accurate as the input anyway.
+  IntrinsicTriangle triangle(int face) const {
+    const auto& [a, b, c] = mesh_.face(face).vertices;
+    return measureTriangle({mesh_.position(a), mesh_.position(b), mesh_.position(c)});
+  }
+
+  void measureFace(int face) {
+    const IntrinsicTriangle t = triangle(face);
+    setFace(face, t);
+    const double longest = std::max({t.lengths[0], t.lengths[1], t.lengths[2]});
+    // The mean edge, which is not known yet, is no longer than the diagonal.
+    if (const double excess = t.leastExcess();
+        excess < leastExcessWanted(longest, mesh_.boundingDiagonal_))
+      maybeFlat_.emplace_back(face, excess);
+    for (const double length : t.lengths) mesh_.meanEdgeLength_ += length / mesh_.halfedgeCount();
+  }
+
+  void noteFlatness(int face, double leastExcess) {
+    const auto& lengths = mesh_.faces_[face].lengths;
+    const double longest = *std::max_element(lengths.begin(), lengths.end());
+    const double missing = leastExcessWanted(longest, mesh_.meanEdgeLength_) - leastExcess;
+    if (missing <= 0) return;
+    MeshRepairs& repairs = mesh_.repairs_;
+    ++repairs.mollifiedTriangles;
+    repairs.mollification = std::max(repairs.mollification, missing);
+  }
+
+  void setFace(int f, const IntrinsicTriangle& t) {
+    TriangleMesh::Face& face = mesh_.faces_[f];
+    face.lengths = t.lengths;
+    for (int i = 0; i < 3; ++i) {
+      const double product = t.lengths[i] * t.lengths[TriangleMesh::previous(i)];
+      face.cosines[i] = t.dots[i] / product;
+      face.sines[i] = t.twiceArea / product;
+      face.angles[i] = std::atan2(t.twiceArea, t.dots[i]);
+    }
+    face.area = t.twiceArea / 2;
+  }
+
+  /// Adds a face to the sums and longest edges of its vertices, to the area and to the needles.
+  /// Faces come in order.
+  void sumUp(int f) {
+    for (int h = 3 * f; h < 3 * f + 3; ++h) {
+      mesh_.angleSum_[mesh_.tail(h)] += mesh_.cornerAngle(h);
+      for (const int v : {mesh_.tail(h), mesh_.tip(h)})
+        mesh_.longestEdge_[v] = std::max(mesh_.longestEdge_[v], mesh_.length(h));
+    }
+    mesh_.area_ += mesh_.faceArea(f);
+    const auto& lengths = mesh_.faces_[f].lengths;
+    const auto [shortest, longest] = std::minmax_element(lengths.begin(), lengths.end());
+    if (*shortest < kNeedle * *longest) mesh_.needles_.push_back(f);
+  }
+
+  // --- Topology ----------------------------------------------------------------------------------
+
+  void followLoopFrom(int vertex) {
+    if (!mesh_.onBoundary(vertex) || isOnFoundLoop_[vertex]) return;
+    mesh_.boundaryLoops_.push_back(mesh_.outgoing(vertex));
+    for (int v = vertex; !isOnFoundLoop_[v]; v = mesh_.tip(mesh_.outgoing(v))) {
+      isOnFoundLoop_[v] = true;
+      boundary_.push_back(v);
+    }
+  }
+
+  void sampleBoundary() {
+    constexpr std::size_t kSamples = 4096;
+    boundarySamples_.emplace(mesh_.positions_, kSeamWidth * mesh_.boundingDiagonal_, kSamples);
+    const std::size_t step = (boundary_.size() + kSamples - 1) / kSamples;
+    for (std::size_t i = 0; i < boundary_.size(); i += step) boundarySamples_->add(boundary_[i]);
+  }
+
+  /// Edges that were cut leave vertices at one position; these are no seam.
+  void lookForSeam(int v) {
+    if (mesh_.topology_.hasOpenSeams) return;
+    const int near = boundarySamples_->firstNear(mesh_.position(v));
+    if (near < 0 || mesh_.position(near) == mesh_.position(v)) return;
+    const auto nextOnLoop = [&](int of) { return mesh_.tip(mesh_.outgoing(of)); };
+    if (nextOnLoop(v) != near && nextOnLoop(near) != v) mesh_.topology_.hasOpenSeams = true;
+  }
+
+  void countTopology() {
+    const int boundaryEdges = static_cast<int>(boundary_.size());  // each vertex begins one
+    MeshTopology& topology = mesh_.topology_;
+    topology.edges = (mesh_.halfedgeCount() + boundaryEdges) / 2;
+    topology.components = oriented_.components;
+    topology.eulerCharacteristic = mesh_.vertexCount() - topology.edges + mesh_.faceCount();
+    topology.boundaryLoops = static_cast<int>(mesh_.boundaryLoops_.size());
+    topology.genus =
+        genusOf(topology.components, topology.boundaryLoops, topology.eulerCharacteristic);
+  }
+
+  int inputVertexCount() const { return static_cast<int>(positions_.size() / 3); }
+
+  std::vector<double> positions_;  ///< the input's, later the mesh's
+  std::vector<int> triangles_;     ///< the input's
+  const MeshOptions options_;
+  TriangleMesh mesh_;
+
+  SlicedSequence making_, placing_, measuring_, finding_;  ///< the stages
+  SlicedLoop loop_;
+  std::optional<VertexWelding> welding_;
+  std::vector<int> representative_;
+  std::optional<TriangleSelection> selecting_;
+  Selection selection_;
+  std::optional<HalfedgeMatching> matching_;
+  std::optional<TriangleOrienting> orienting_;
+  OrientedComponents oriented_;
+  std::optional<SmallComponents> dropping_;
+  std::optional<FanSplitting> splitting_;
+  Fans fans_;
+  int firstCopy_ = 0;  ///< vertices from this one on are copies for further fans
+  std::optional<InputMap> mapping_;
+  Eigen::AlignedBox3d box_;
+  /// The least excess of the faces that may turn out to be flat.
+  std::vector<std::pair<int, double>> maybeFlat_;
+  std::vector<char> isOnFoundLoop_;  ///< vertices
+  std::vector<int> boundary_;        ///< vertices, along the loops
+  std::optional<PointGrid> boundarySamples_;
+};
 
 std::unique_ptr<SlicedWork<TriangleMesh>> startMesh(std::vector<double> positions,
                                                     std::vector<int> triangles,
