@@ -43,12 +43,7 @@ class FaceCutting {
     const int faces = mesh_.faceCount();
     return sequence_.run([&] { return nameVertices(budget); },
                          [&] { return sidePoints_.step(budget); },
-                         [&] { return fillInSlices(isLeftOut_, faces, '\0', budget); },
-                         [&] {
-                           if (options_.leaveOutIndifferent)
-                             for (const int f : diagram_.indifferentFaces) isLeftOut_[f] = true;
-                           pieces_.reserve(faces + diagram_.cells.points.size());
-                         },
+                         [&] { pieces_.reserve(faces + diagram_.cells.points.size()); },
                          [&] { return fillInSlices(uncut_, faces, -1, budget); },
                          [&] { return loop_.run(faces, budget, 4, [&](int f) { cutFace(f); }); });
   }
@@ -80,7 +75,7 @@ class FaceCutting {
     }
     const int label = diagram_.faceLabel[f];
     const auto onSides = sidePoints_.next(f);
-    if (isLeftOut_[f] || (label < 0 && options_.leaveOutUnreachable)) return;
+    if (label < 0 ? options_.leaveOutUnreachable : isLeftOut(f)) return;
     if (onSides.empty()) {
       uncut_[f] = static_cast<int>(pieces_.size());
       pieces_.push_back({mesh_.face(f).vertices, label, f, mesh_.faceArea(f)});
@@ -88,6 +83,12 @@ class FaceCutting {
       addFaceWithSidePoints(f, onSides);
       measurePieces(firstPiece);
     }
+  }
+
+  bool isLeftOut(int f) const {
+    const std::vector<int>& indifferent = diagram_.indifferentFaces;
+    return options_.leaveOutIndifferent &&
+           std::binary_search(indifferent.begin(), indifferent.end(), f);
   }
 
   /// Measures the pieces of one face, whose areas sum to that of the face. Rounding may have turned
@@ -165,7 +166,6 @@ class FaceCutting {
   SlicedLoop loop_;
   std::vector<int> vertexOfPoint_;
   SidePoints sidePoints_{mesh_, diagram_, vertexOfPoint_};
-  std::vector<char> isLeftOut_;  ///< faces
   int nextCell_ = 0;
   std::vector<Piece> pieces_;
   std::vector<int> uncut_;

@@ -3,14 +3,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cstdint>
-#include <functional>
 #include <set>
 #include <string>
 #include <utility>
 
+#include "base/grouping.h"
 #include "base/rejection.h"
-#include "base/sorting.h"
 #include "diagram/point_merging.h"
 #include "mesh/corners.h"
 #include "partition/convex_triangulation.h"
@@ -47,20 +45,16 @@ class PolygonHalfedges {
  private:
   void findTwins() {
     twin_.assign(tail_.size(), -1);
-    std::vector<std::pair<std::uint64_t, int>> sides;
-    const auto key = [](int from, int to) {
-      return static_cast<std::uint64_t>(from) << 32 | static_cast<std::uint32_t>(to);
-    };
+    std::vector<KeyedItem> byEnds;
     for (int h = 0; h < count(); ++h) {
       isOriented_ &= tail(h) != tip(h);
-      sides.emplace_back(key(tail(h), tip(h)), h);
+      byEnds.push_back({tail(h), tip(h), h});
     }
-    sortStably(std::span(sides), std::less<>());
-    for (size_t i = 1; i < sides.size(); ++i) isOriented_ &= sides[i].first != sides[i - 1].first;
+    visitSame(byEnds, [&](std::span<const KeyedItem> run) { isOriented_ &= run.size() == 1; });
     for (int h = 0; h < count(); ++h) {
-      const std::pair<std::uint64_t, int> sought(key(tip(h), tail(h)), 0);
-      const auto other = std::lower_bound(sides.begin(), sides.end(), sought);
-      if (other != sides.end() && other->first == sought.first) twin_[h] = other->second;
+      const auto other = std::lower_bound(byEnds.begin(), byEnds.end(), KeyedItem{tip(h), tail(h)});
+      if (other != byEnds.end() && (*other)[0] == tip(h) && (*other)[1] == tail(h))
+        twin_[h] = (*other)[2];
     }
   }
 
