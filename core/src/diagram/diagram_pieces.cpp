@@ -42,72 +42,6 @@ class PlaceIndex {
   std::vector<int> before_;  ///< the place in the same face that was added before, or -1
 };
 
-/// Copies the wanted pieces of a diagram and numbers their points anew.
-class Extract {
- public:
-  Extract(const Diagram& from, std::span<const char> isWanted)
-      : from_(from), isWanted_(isWanted), pointOf_(from.points.size(), -1) {}
-
-  /// The loops, arcs and Voronoi points of the labels, and the cells of the faces.
-  Diagram run(std::span<const int> faces) {
-    out_.siteCount = from_.siteCount;
-    addArcs();
-    for (const Diagram::VoronoiPoint& v : from_.voronoiPoints)
-      if (std::any_of(v.labels.begin(), v.labels.end(), [&](int l) { return isWanted_[l]; }))
-        out_.voronoiPoints.push_back({point(v.point), v.labels});
-    for (int i = 0; i < from_.loops.size(); ++i) {
-      if (!isWanted_[from_.loopLabel[i]]) continue;
-      addList(from_.loops[i], out_.loops);
-      out_.loopLabel.push_back(from_.loopLabel[i]);
-    }
-    for (int i = 0; i < from_.cells.size(); ++i) {
-      if (!std::binary_search(faces.begin(), faces.end(), from_.cellFace[i])) continue;
-      addList(from_.cells[i], out_.cells);
-      out_.cellFace.push_back(from_.cellFace[i]);
-      out_.cellLabel.push_back(from_.cellLabel[i]);
-    }
-    std::set_intersection(from_.indifferentFaces.begin(), from_.indifferentFaces.end(),
-                          faces.begin(), faces.end(), std::back_inserter(out_.indifferentFaces));
-    return std::move(out_);
-  }
-
- private:
-  void addArcs() {
-    std::vector<int> arcOf(from_.arcs.size(), -1);
-    for (int i = 0; i < from_.arcs.size(); ++i) {
-      const auto& labels = from_.arcLabels[i];
-      if (!isWanted_[labels[0]] && !isWanted_[labels[1]]) continue;
-      arcOf[i] = out_.arcs.size();
-      addList(from_.arcs[i], out_.arcs);
-      out_.arcLabels.push_back(labels);
-    }
-    for (const Diagram::Segment& s : from_.segments)
-      if (arcOf[s.arc] >= 0)
-        out_.segments.push_back(
-            {{point(s.points[0]), point(s.points[1])}, s.labels, s.face, arcOf[s.arc]});
-  }
-
-  void addList(std::span<const int> points, PointLists& to) {
-    list_.clear();
-    for (const int p : points) list_.push_back(point(p));
-    to.add(list_);
-  }
-
-  int point(int p) {
-    if (pointOf_[p] < 0) {
-      pointOf_[p] = static_cast<int>(out_.points.size());
-      out_.points.push_back(from_.points[p]);
-    }
-    return pointOf_[p];
-  }
-
-  const Diagram& from_;
-  std::span<const char> isWanted_;
-  std::vector<int> pointOf_;
-  std::vector<int> list_;
-  Diagram out_;
-};
-
 void setPlaces(const Diagram& part, std::span<const int> points, std::vector<SurfacePoint>& to) {
   to.clear();
   for (const int p : points) to.push_back(part.points[p]);
@@ -279,7 +213,49 @@ DiagramChange changeTo(Diagram diagram) {
 }
 
 Diagram extract(const Diagram& from, std::span<const char> isWanted, std::span<const int> faces) {
-  return Extract(from, isWanted).run(faces);
+  Diagram out;
+  out.siteCount = from.siteCount;
+  std::vector<int> pointOf(from.points.size(), -1);
+  const auto point = [&](int p) {
+    if (pointOf[p] < 0) {
+      pointOf[p] = static_cast<int>(out.points.size());
+      out.points.push_back(from.points[p]);
+    }
+    return pointOf[p];
+  };
+  const auto addList = [&](std::span<const int> points, PointLists& to) {
+    for (const int p : points) to.points.push_back(point(p));
+    to.offset.push_back(static_cast<int>(to.points.size()));
+  };
+  std::vector<int> arcOf(from.arcs.size(), -1);
+  for (int i = 0; i < from.arcs.size(); ++i) {
+    const auto& labels = from.arcLabels[i];
+    if (!isWanted[labels[0]] && !isWanted[labels[1]]) continue;
+    arcOf[i] = out.arcs.size();
+    addList(from.arcs[i], out.arcs);
+    out.arcLabels.push_back(labels);
+  }
+  for (const Diagram::Segment& s : from.segments)
+    if (arcOf[s.arc] >= 0)
+      out.segments.push_back(
+          {{point(s.points[0]), point(s.points[1])}, s.labels, s.face, arcOf[s.arc]});
+  for (const Diagram::VoronoiPoint& v : from.voronoiPoints)
+    if (std::any_of(v.labels.begin(), v.labels.end(), [&](int l) { return isWanted[l]; }))
+      out.voronoiPoints.push_back({point(v.point), v.labels});
+  for (int i = 0; i < from.loops.size(); ++i) {
+    if (!isWanted[from.loopLabel[i]]) continue;
+    addList(from.loops[i], out.loops);
+    out.loopLabel.push_back(from.loopLabel[i]);
+  }
+  for (int i = 0; i < from.cells.size(); ++i) {
+    if (!std::binary_search(faces.begin(), faces.end(), from.cellFace[i])) continue;
+    addList(from.cells[i], out.cells);
+    out.cellFace.push_back(from.cellFace[i]);
+    out.cellLabel.push_back(from.cellLabel[i]);
+  }
+  std::set_intersection(from.indifferentFaces.begin(), from.indifferentFaces.end(), faces.begin(),
+                        faces.end(), std::back_inserter(out.indifferentFaces));
+  return out;
 }
 
 }  // namespace gvd

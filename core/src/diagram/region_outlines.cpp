@@ -75,14 +75,12 @@ bool RegionOutlines::traceRings(long& budget) {
   for (; nextDart_ < count; ++nextDart_) {
     if (nextDart_ % kQuickRounds == 0) --budget;
     if (budget < 0) return false;
-    if (!isVisited_[nextDart_] && isTraced(graph_.labelOf(nextDart_))) traceRing(nextDart_, budget);
+    const int label = graph_.labelOf(nextDart_);
+    if (isVisited_[nextDart_] || !isTraced(label)) continue;
+    addRing(
+        label, [&](auto visit) { walkRing(nextDart_, visit); }, budget);
   }
   return true;
-}
-
-void RegionOutlines::traceRing(int start, long& budget) {
-  addRing(
-      graph_.labelOf(start), [&](auto visit) { walkRing(start, visit); }, budget);
 }
 
 /// Calls visit(point, face, isOnBoundary) for each step of a ring: its first point and its face.

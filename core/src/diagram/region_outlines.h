@@ -46,7 +46,6 @@ class RegionOutlines {
   };
 
   bool traceRings(long& budget);
-  void traceRing(int start, long& budget);
   template <class Visit>
   void walkRing(int start, Visit visit);
   template <class Visit>
