@@ -52,8 +52,24 @@ inline constexpr long kQuickRounds = 32;
 /// A budget for all work at one go.
 inline constexpr long kUnlimited = std::numeric_limits<long>::max();
 
-/// A sequence of parts, done one after the other. A part returns false if it has used up its
-/// budget, and is then called again; a part that returns void is always done after one call.
+/// A loop as a part of a `SlicedSequence`: over the indices 0 … count - 1 if `items` is a count,
+/// else over those of a list. Parts before it may fill the list, whose size is read when the loop
+/// has its turn; a count is that at the call of the sequence.
+template <class Items, class Body>
+auto forEach(const Items& items, long& budget, long perUnit, Body body) {
+  if constexpr (std::is_integral_v<Items>)
+    return [count = items, &budget, perUnit, body](SlicedLoop& loop) {
+      return loop.run(count, budget, perUnit, body);
+    };
+  else
+    return [&items, &budget, perUnit, body](SlicedLoop& loop) {
+      return loop.run(items.size(), budget, perUnit, body);
+    };
+}
+
+/// A sequence of parts, done one after the other: functions, or loops made by `forEach`. A part
+/// returns false if it has used up its budget, and is then called again; a part that returns void
+/// is always done after one call.
 class SlicedSequence {
  public:
   /// Goes on with the first of `parts` that is not done; true when all are.
@@ -68,8 +84,10 @@ class SlicedSequence {
 
  private:
   template <class Part>
-  static bool isDone(Part& part) {
-    if constexpr (std::is_void_v<decltype(part())>) {
+  bool isDone(Part& part) {
+    if constexpr (std::is_invocable_v<Part&, SlicedLoop&>) {
+      return part(loop_);
+    } else if constexpr (std::is_void_v<decltype(part())>) {
       part();
       return true;
     } else {
@@ -78,6 +96,7 @@ class SlicedSequence {
   }
 
   int done_ = 0, count_ = 0;
+  SlicedLoop loop_;  ///< of the current part, if that is a loop
 };
 
 /// Works on a part, which is constructed from `arguments` in the first call; true when it is done.

@@ -5,20 +5,17 @@ namespace gvd {
 
 bool ArcChaining::step(long& budget) {
   const size_t count = out_.segments.size();
-  const auto forSegments = [&](auto body) { return loop_.run(count, budget, kQuickRounds, body); };
+  const auto forSegments = [&](auto body) { return forEach(count, budget, kQuickRounds, body); };
+  const auto followFromEnd = [&](int s) {
+    if (!passes(out_.segments[s].points[0])) follow(s);
+  };
+  const auto followClosed = [&](int s) {
+    if (out_.segments[s].arc < 0) follow(s);
+  };
   return sequence_.run([&] { out_.arcs.points.reserve(count + count / 2); },
                        [&] { return fillInSlices(ends_, out_.points.size(), Ends(), budget); },
-                       [&] { return forSegments([&](int s) { noteEnds(s); }); },
-                       [&] {
-                         return forSegments([&](int s) {
-                           if (!passes(out_.segments[s].points[0])) follow(s);
-                         });
-                       },
-                       [&] {
-                         return forSegments([&](int s) {
-                           if (out_.segments[s].arc < 0) follow(s);
-                         });
-                       });
+                       forSegments([&](int s) { noteEnds(s); }), forSegments(followFromEnd),
+                       forSegments(followClosed));
 }
 
 void ArcChaining::noteEnds(int segment) {

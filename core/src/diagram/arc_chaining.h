@@ -28,7 +28,6 @@ class ArcChaining {
 
   Diagram& out_;
   SlicedSequence sequence_;
-  SlicedLoop loop_;
   std::vector<Ends> ends_;  ///< per point
 };
 

@@ -48,25 +48,20 @@ bool ComplexBuilding::step(long& budget) {
 bool ComplexBuilding::addMesh(long& budget) {
   NodeLabels& nodes = complex_.nodes_;
   const auto forFaces = [&](auto body) {
-    return !complex_.hasOwnElements_ || loop_.run(mesh_.faceCount(), budget, kQuickRounds, body);
+    return forEach(complex_.hasOwnElements_ ? mesh_.faceCount() : 0, budget, kQuickRounds, body);
   };
   return adding_.run(
-      [&] {
-        return loop_.run(mesh_.vertexCount(), budget, kQuickRounds,
-                         [&](int v) { nodes.findOwner(v); });
-      },
-      [&] {
-        return forFaces([&](int f) {
-          if (nodes.commonOwner(mesh_.face(f).vertices.data()) == Diagram::kMixed)
-            partsExpected_ += expectedParts(f);
-        });
-      },
+      forEach(mesh_.vertexCount(), budget, kQuickRounds, [&](int v) { nodes.findOwner(v); }),
+      forFaces([&](int f) {
+        if (nodes.commonOwner(mesh_.face(f).vertices.data()) == Diagram::kMixed)
+          partsExpected_ += expectedParts(f);
+      }),
       [&] {
         // Lists that grow beyond what is reserved are copied in one step.
         if (complex_.hasOwnElements_)
           complex_.elements_.reserve(mesh_.faceCount() + static_cast<size_t>(partsExpected_));
       },
-      [&] { return forFaces([&](int f) { addFace(f); }); });
+      forFaces([&](int f) { addFace(f); }));
 }
 
 /// About how many elements a mixed face becomes, if bisectors run along its longest side; not more

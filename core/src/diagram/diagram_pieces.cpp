@@ -52,8 +52,8 @@ void setPlaces(const Diagram& part, std::span<const int> points, std::vector<Sur
 bool DiagramPieces::replace(const DiagramChange& change, long& budget) {
   constexpr long kPiecesPerUnit = 4;
   const Diagram& part = change.part;
-  const auto forEach = [&](size_t count, auto visit) {
-    return loop_.run(count, budget, kPiecesPerUnit, visit);
+  const auto forAll = [&](const auto& list, auto visit) {
+    return forEach(list, budget, kPiecesPerUnit, visit);
   };
   const bool isDone = replacing_.run(
       [&] {
@@ -61,40 +61,30 @@ bool DiagramPieces::replace(const DiagramChange& change, long& budget) {
           regions_.resize(change.labels.back() + 1);
       },
       [&] { beside_.clear(); },
-      [&] {
-        return forEach(change.labels.size(), [&](int i) { removePiecesOf(change.labels[i]); });
-      },
-      [&] { makeSet(beside_); },
-      [&] { return forEach(beside_.size(), [&](int i) { unlistRemoved(beside_[i]); }); },
-      [&] { return forEach(change.faces.size(), [&](int i) { removePiecesIn(change.faces[i]); }); },
-      [&] {
-        return forEach(part.loops.size(), [&](int i) {
-          setPlaces(part, part.loops[i], regions_[part.loopLabel[i]].loops.emplace_back());
-        });
-      },
-      [&] { arcOf_.clear(); },
-      [&] { return forEach(part.arcs.size(), [&](int i) { addArc(part, i); }); },
-      [&] {
-        return forEach(part.segments.size(), [&](int i) {
-          const Diagram::Segment& s = part.segments[i];
-          arcs_[arcOf_[s.arc]].segments.push_back(
-              {part.points[s.points[0]], part.points[s.points[1]], s.face});
-        });
-      },
-      [&] {
-        return forEach(part.voronoiPoints.size(),
-                       [&](int i) { addVoronoiPoint(part, part.voronoiPoints[i]); });
-      },
-      [&] {
-        return forEach(change.faces.size(), [&](int i) {
-          const int label = faceLabel_[change.faces[i]] = part.faceLabel[i];
-          if (label >= 0) regions_[label].faces.push_back(change.faces[i]);
-        });
-      },
+      forAll(change.labels, [&](int i) { removePiecesOf(change.labels[i]); }),
+      [&] { makeSet(beside_); }, forAll(beside_, [&](int i) { unlistRemoved(beside_[i]); }),
+      forAll(change.faces, [&](int i) { removePiecesIn(change.faces[i]); }),
+      forAll(part.loops,
+             [&](int i) {
+               setPlaces(part, part.loops[i], regions_[part.loopLabel[i]].loops.emplace_back());
+             }),
+      [&] { arcOf_.clear(); }, forAll(part.arcs, [&](int i) { addArc(part, i); }),
+      forAll(part.segments,
+             [&](int i) {
+               const Diagram::Segment& s = part.segments[i];
+               arcs_[arcOf_[s.arc]].segments.push_back(
+                   {part.points[s.points[0]], part.points[s.points[1]], s.face});
+             }),
+      forAll(part.voronoiPoints, [&](int i) { addVoronoiPoint(part, part.voronoiPoints[i]); }),
+      forAll(change.faces,
+             [&](int i) {
+               const int label = faceLabel_[change.faces[i]] = part.faceLabel[i];
+               if (label >= 0) regions_[label].faces.push_back(change.faces[i]);
+             }),
       [&] {
         for (const int face : part.indifferentFaces) isIndifferent_[face] = true;
       },
-      [&] { return forEach(part.cells.size(), [&](int i) { addCell(part, i); }); });
+      forAll(part.cells, [&](int i) { addCell(part, i); }));
   if (isDone) replacing_ = {};
   return isDone;
 }

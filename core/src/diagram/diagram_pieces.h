@@ -115,7 +115,6 @@ class DiagramPieces {
 
   // The current change.
   SlicedSequence replacing_;
-  SlicedLoop loop_;
   /// Unchanged labels beside a changed one: their lists still name arcs and Voronoi points that the
   /// change has removed.
   std::vector<int> beside_;

@@ -134,12 +134,9 @@ class FullTracing final : public SlicedWork<TracedDiagram> {
         tracing_(mesh, distances, building_, siteCount, {}, nodePoints_) {}
 
   bool advance(long budget) override {
-    return sequence_.run(
-        [&] {
-          return loop_.run(building_.complex().mesh().vertexCount(), budget, kQuickRounds,
-                           [&](int v) { requireLabels(distances_.at(v), siteCount_); });
-        },
-        [&] { return tracing_.step(budget); });
+    return sequence_.run(forEach(building_.complex().mesh().vertexCount(), budget, kQuickRounds,
+                                 [&](int v) { requireLabels(distances_.at(v), siteCount_); }),
+                         [&] { return tracing_.step(budget); });
   }
   double progress() const override { return tracing_.progress(); }
   TracedDiagram result() override { return tracing_.take(); }

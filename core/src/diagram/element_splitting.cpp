@@ -59,10 +59,10 @@ bool ElementSplitting::isUniform(int a, int b, int owner) const {
 }
 
 bool ElementSplitting::splitBatch(long& budget) {
-  const auto forBatch = [&](auto body) { return loop_.run(batch_.size(), budget, 1, body); };
-  if (!split_.run([&] { return forBatch([&](int i) { addMiddles(batch_[i]); }); },
-                  [&] { return required_.find(budget); },
-                  [&] { return forBatch([&](int i) { split(batch_[i], middles_[i]); }); }))
+  const auto forBatch = [&](auto body) { return forEach(batch_, budget, 1, body); };
+  if (!split_.run(
+          forBatch([&](int i) { addMiddles(batch_[i]); }), [&] { return required_.find(budget); },
+          forBatch([&](int i) { split(batch_[i], middles_[i]); })))
     return false;
   split_ = {};
   batch_.clear();

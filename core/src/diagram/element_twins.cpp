@@ -13,8 +13,8 @@ bool ElementTwins::match(int nodeCount, long& budget) {
         twin_.reserve(count);
       },
       [&] { return fillInSlices(lastOut_, nodeCount, -1, budget); },
-      [&] { return loop_.run(count, budget, kQuickRounds, [&](int h) { link(h); }); },
-      [&] { return loop_.run(count, budget, kQuickRounds, [&](int h) { matchSide(h); }); });
+      forEach(count, budget, kQuickRounds, [&](int h) { link(h); }),
+      forEach(count, budget, kQuickRounds, [&](int h) { matchSide(h); }));
 }
 
 /// Puts a halfedge in the list of those that leave its tail. A side on the mesh boundary gets no

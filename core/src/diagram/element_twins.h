@@ -33,7 +33,6 @@ class ElementTwins {
   const TriangleMesh& mesh_;
   const Elements& elements_;
   SlicedSequence sequence_;
-  SlicedLoop loop_;
   std::vector<int> lastOut_, before_;  ///< lists of halfedges, per node and per halfedge
   std::vector<int> twin_;
 };

@@ -28,15 +28,14 @@ bool FinalCells::putInOrder(long& budget) {
   }
   const int count = graph_.cells.size();
   const auto faceOf = [&](int cell) { return complex_.faceIndex(graph_.cellFace[cell]); };
-  return order_.run(
-      [&] { return byFace_.run(count, complex_.faceCount(), faceOf, budget); },
-      [&] {
-        out_.cells.offset.reserve(count + 1);
-        out_.cells.points.reserve(graph_.cells.points.size());
-        out_.cellFace.reserve(count);
-        out_.cellLabel.reserve(count);
-      },
-      [&] { return loop_.run(count, budget, 4, [&](int i) { copyCell(byFace_.items()[i]); }); });
+  return order_.run([&] { return byFace_.run(count, complex_.faceCount(), faceOf, budget); },
+                    [&] {
+                      out_.cells.offset.reserve(count + 1);
+                      out_.cells.points.reserve(graph_.cells.points.size());
+                      out_.cellFace.reserve(count);
+                      out_.cellLabel.reserve(count);
+                    },
+                    forEach(count, budget, 4, [&](int i) { copyCell(byFace_.items()[i]); }));
 }
 
 void FinalCells::copyCell(int cell) {

@@ -33,7 +33,6 @@ class FinalCells {
   FinalPoints& points_;
   Diagram& out_;
   SlicedSequence sequence_, order_;
-  SlicedLoop loop_;
   Grouping byFace_;  ///< cells, where they are not in order
   // `out_.cells` is compacted in one pass: the positions read from and written to; the former is
   // ahead.

@@ -18,26 +18,21 @@ FinalSegments::FinalSegments(const TriangleMesh& mesh, BisectorGraph& graph,
 bool FinalSegments::step(long& budget) {
   constexpr long kSegmentsPerUnit = 8;
   const auto forSegments = [&](long perUnit, auto body) {
-    return loop_.run(out_.segments.size(), budget, perUnit, [&](int s) { body(out_.segments[s]); });
+    return forEach(out_.segments, budget, perUnit, [this, body](int s) { body(out_.segments[s]); });
   };
   if (points_.areThoseOfGraph()) return true;  // and so are the segments
   return sequence_.run(
-      [&] {
-        return forSegments(kSegmentsPerUnit, [&](const Diagram::Segment& s) { addSegment(s); });
-      },
+      forSegments(kSegmentsPerUnit, [&](const Diagram::Segment& s) { addSegment(s); }),
       [&] { out_.segments.resize(kept_); },
-      [&] {
-        return loop_.run(boundarySteps_.size(), budget, 1, [&](int i) {
-          const OutlineSteps::BoundaryStep& step = boundarySteps_[i];
-          if (step.from != step.to) stack(step.from, step.to, step.label, -1, step.face);
-        });
-      },
+      forEach(boundarySteps_, budget, 1,
+              [&](int i) {
+                const OutlineSteps::BoundaryStep& step = boundarySteps_[i];
+                if (step.from != step.to) stack(step.from, step.to, step.label, -1, step.face);
+              }),
       [&] { return addStacks(budget); },
       [&] { return fillInSlices(isInFaceOfSegment_, out_.points.size(), '\0', budget); },
-      [&] { return forSegments(kQuickRounds, [&](const Diagram::Segment& s) { noteInFace(s); }); },
-      [&] {
-        return forSegments(kQuickRounds, [&](const Diagram::Segment& s) { moveToFaceOf(s); });
-      });
+      forSegments(kQuickRounds, [&](const Diagram::Segment& s) { noteInFace(s); }),
+      forSegments(kQuickRounds, [&](const Diagram::Segment& s) { moveToFaceOf(s); }));
 }
 
 /// Keeps a segment, moved forward over dropped ones; if an end is merged, stacks it instead.

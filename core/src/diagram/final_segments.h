@@ -45,7 +45,6 @@ class FinalSegments {
   FinalPoints& points_;
   Diagram& out_;
   SlicedSequence sequence_;
-  SlicedLoop loop_;
   size_t kept_ = 0;
   std::map<PlaceOfLine, std::vector<Line>> stacks_;  ///< the lines at each place
   std::vector<char> isInFaceOfSegment_;  ///< per point: given in a face of one of its segments

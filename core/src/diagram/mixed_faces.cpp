@@ -6,11 +6,9 @@ namespace gvd {
 bool MixedFaces::update(const IndexSet& labels, long& budget) {
   constexpr long kFacesPerUnit = 16;
   const std::vector<int>& changed = distances_.changedFaces();
-  if (!sequence_.run([&] { forgetChanged(labels); },
-                     [&] {
-                       return loop_.run(changed.size(), budget, kFacesPerUnit,
-                                        [&](int i) { note(changed[i], labels); });
-                     }))
+  if (!sequence_.run(
+          [&] { forgetChanged(labels); },
+          forEach(changed, budget, kFacesPerUnit, [&](int i) { note(changed[i], labels); })))
     return false;
   sequence_ = {};
   return true;

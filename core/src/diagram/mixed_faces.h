@@ -36,7 +36,6 @@ class MixedFaces {
   // Working memory.
   IndexSet faces_;
   SlicedSequence sequence_;
-  SlicedLoop loop_;
 };
 
 }  // namespace gvd

@@ -12,9 +12,8 @@ PlaceOfLine placeOfLine(const BisectorGraph& graph, int from, int to, int face) 
 }
 
 bool OutlineSteps::cancel(long& budget) {
-  return sequence_.run(
-      [&] { return loop_.run(steps_.size(), budget, 1, [&](int s) { cancelStep(s); }); },
-      [&] { return forgetWaiting(budget); });
+  return sequence_.run(forEach(steps_, budget, 1, [&](int s) { cancelStep(s); }),
+                       [&] { return forgetWaiting(budget); });
 }
 
 /// Makes a ring of the steps since the first one.

@@ -67,7 +67,6 @@ class OutlineSteps {
 
   BisectorGraph& graph_;
   SlicedSequence sequence_;
-  SlicedLoop loop_;
   std::vector<Step> steps_;
   std::map<std::array<int, 4>, std::vector<int>> waiting_;  ///< uncancelled steps, by place
   std::vector<BoundaryStep> boundarySteps_;

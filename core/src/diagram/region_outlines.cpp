@@ -33,10 +33,7 @@ bool RegionOutlines::step(long& budget) {
       [&] { return fillInSlices(isVisited_, darts, '\0', budget); },
       [&] { return traceRings(budget); }, [&] { return traceUnbrokenBoundaries(budget); },
       [&] { return steps_.cancel(budget); },
-      [&] {
-        return loop_.run(steps_.size(), budget, kQuickRounds, [&](int s) { collectOutline(s); });
-      },
-      [&] { sort(); });
+      forEach(steps_, budget, kQuickRounds, [&](int s) { collectOutline(s); }), [&] { sort(); });
 }
 
 // --- The mesh boundary ---------------------------------------------------------------------------

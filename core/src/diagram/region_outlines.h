@@ -66,7 +66,6 @@ class RegionOutlines {
   BisectorGraph& graph_;
 
   SlicedSequence sequence_;
-  SlicedLoop loop_;
   std::vector<char> isVisited_;  ///< per dart
   int nextDart_ = 0, nextBoundary_ = 0;
   int ringCount_ = 0;

@@ -21,10 +21,7 @@ void RequiredLabels::add(int midpoint, int label, const SurfacePoint& p) {
 bool RequiredLabels::find(long& budget) {
   if (!sequence_.run([&] { finding_ = distances_.startDistancesAt(required_); },
                      [&] { return finding_->step(budget); }, [&] { found_ = finding_->take(); },
-                     [&] {
-                       return loop_.run(midpoints_.size(), budget, 1,
-                                        [&](int i) { setLabels(midpoints_[i]); });
-                     }))
+                     forEach(midpoints_, budget, 1, [&](int i) { setLabels(midpoints_[i]); })))
     return false;
   sequence_ = {};
   required_.clear();

@@ -35,7 +35,6 @@ class RequiredLabels {
   std::vector<int> last_;       ///< in the list of each midpoint; -1 for none
   std::vector<int> midpoints_;  ///< with a list
   SlicedSequence sequence_;
-  SlicedLoop loop_;
   std::unique_ptr<SlicedWork<std::vector<double>>> finding_;
   std::vector<double> found_;              ///< the required distances
   std::vector<LabelledDistance> atPoint_;  ///< of the current midpoint

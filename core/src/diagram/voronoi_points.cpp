@@ -12,21 +12,17 @@ namespace gvd {
 bool VoronoiPoints::step(long& budget) {
   constexpr long kPointsPerUnit = 4;
   const int merged = graph_.merging.limit();
-  return sequence_.run([&] { out_.voronoiPoints.reserve(graph_.innerPoints.size()); },
-                       [&] {
-                         return merged == 0 || loop_.run(outlines_.size(), budget, 1,
-                                                         [&](int o) { collectSectors(o); });
-                       },
-                       [&] {
-                         return byPoint_.run(
-                             static_cast<int>(sectors_.size()), merged,
-                             [&](int s) { return sectors_[s].point; }, budget);
-                       },
-                       [&] {
-                         return loop_.run(graph_.innerPoints.size(), budget, kPointsPerUnit,
-                                          [&](int i) { addInner(graph_.innerPoints[i]); });
-                       },
-                       [&] { return addLastMerged(budget); });
+  return sequence_.run(
+      [&] { out_.voronoiPoints.reserve(graph_.innerPoints.size()); },
+      forEach(merged == 0 ? 0 : outlines_.size(), budget, 1, [&](int o) { collectSectors(o); }),
+      [&] {
+        return byPoint_.run(
+            static_cast<int>(sectors_.size()), merged, [&](int s) { return sectors_[s].point; },
+            budget);
+      },
+      forEach(graph_.innerPoints, budget, kPointsPerUnit,
+              [&](int i) { addInner(graph_.innerPoints[i]); }),
+      [&] { return addLastMerged(budget); });
 }
 
 void VoronoiPoints::collectSectors(int outline) {

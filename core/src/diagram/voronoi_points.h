@@ -45,7 +45,6 @@ class VoronoiPoints {
   FinalPoints& points_;
   Diagram& out_;
   SlicedSequence sequence_;
-  SlicedLoop loop_;
   std::vector<Sector> sectors_;  ///< at merged points
   Grouping byPoint_;             ///< sectors
   int nextMerged_ = 0;

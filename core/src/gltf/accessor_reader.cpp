@@ -99,13 +99,8 @@ bool AccessorReading::step(long& budget) {
   return sequence_.run(
       [&] { first_ = to_->size(); },
       [&] { return fillInSlices(*to_, first_ + count_ * components_, 0., budget); },
-      [&] {
-        return loop_.run(stored, budget, kElementsPerUnit,
-                         [&](int i) { store(i, elements_->at(i)); });
-      },
-      [&] {
-        return loop_.run(replaced, budget, kElementsPerUnit, [&](int i) { storeSparse(i); });
-      });
+      forEach(stored, budget, kElementsPerUnit, [&](int i) { store(i, elements_->at(i)); }),
+      forEach(replaced, budget, kElementsPerUnit, [&](int i) { storeSparse(i); }));
 }
 
 void AccessorReading::store(std::uint64_t element, const std::byte* bytes) {

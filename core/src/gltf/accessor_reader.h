@@ -72,7 +72,6 @@ class AccessorReading {
   std::vector<double>* to_ = nullptr;
   std::size_t first_ = 0;  ///< index of the first number in the list
   SlicedSequence sequence_;
-  SlicedLoop loop_;
 };
 
 /// The accessors of a document. All bytes are reached through `elements`, which checks the range

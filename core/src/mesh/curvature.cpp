@@ -32,17 +32,16 @@ class CurvatureMeasuring final : public SlicedWork<VertexCurvatures> {
 
   bool advance(long budget) override {
     const int vertices = mesh_.vertexCount();
-    const auto forVertices = [&](auto body) { return loop_.run(vertices, budget, 8, body); };
-    return sequence_.run(
-        [&] { return fillInSlices(areas_, vertices, 0., budget); },
-        [&] {
-          return fillInSlices(areaGradients_, vertices, {0, 0, 0}, budget);
-        },
-        [&] { return fillInSlices(curvatures_.gaussian, vertices, 0., budget); },
-        [&] { return fillInSlices(curvatures_.mean, vertices, 0., budget); },
-        [&] { return loop_.run(mesh_.faceCount(), budget, 4, [&](int f) { addFace(f); }); },
-        [&] { return forVertices([&](int v) { measure(v); }); },
-        [&] { return forVertices([&](int v) { takeFromNeighbours(v); }); });
+    const auto forVertices = [&](auto body) { return forEach(vertices, budget, 8, body); };
+    return sequence_.run([&] { return fillInSlices(areas_, vertices, 0., budget); },
+                         [&] {
+                           return fillInSlices(areaGradients_, vertices, {0, 0, 0}, budget);
+                         },
+                         [&] { return fillInSlices(curvatures_.gaussian, vertices, 0., budget); },
+                         [&] { return fillInSlices(curvatures_.mean, vertices, 0., budget); },
+                         forEach(mesh_.faceCount(), budget, 4, [&](int f) { addFace(f); }),
+                         forVertices([&](int v) { measure(v); }),
+                         forVertices([&](int v) { takeFromNeighbours(v); }));
   }
   double progress() const override { return sequence_.progress(); }
   VertexCurvatures result() override { return std::move(curvatures_); }
@@ -89,7 +88,6 @@ class CurvatureMeasuring final : public SlicedWork<VertexCurvatures> {
 
   const TriangleMesh& mesh_;
   SlicedSequence sequence_;
-  SlicedLoop loop_;
   std::vector<double> areas_;
   std::vector<Vector3d> areaGradients_;
   VertexCurvatures curvatures_;
@@ -106,7 +104,7 @@ class DensityMaking final : public SlicedWork<std::vector<double>> {
   bool advance(long budget) override {
     const int vertices = mesh_.vertexCount();
     const auto forVertices = [&](auto body) {
-      return loop_.run(vertices, budget, kQuickRounds, body);
+      return forEach(vertices, budget, kQuickRounds, body);
     };
     return sequence_.run(
         [&] { return measuring_.step(budget); },
@@ -114,25 +112,20 @@ class DensityMaking final : public SlicedWork<std::vector<double>> {
           areas_ = measuring_.takeAreas();
           curvatures_ = measuring_.take();
         },
-        [&] { return fillInSlices(density_, vertices, 0., budget); },
-        [&] {
-          return forVertices([&](int v) {
-            const double h = curvatures_.mean[v], k = curvatures_.gaussian[v];
-            // κ₁² + κ₂² >= 2 |κ₁ κ₂|, which the discrete values may violate at sharp corners.
-            density_[v] = std::max(4 * h * h - 2 * k, 2 * std::abs(k));
-          });
-        },
+        [&] { return fillInSlices(density_, vertices, 0., budget); }, forVertices([&](int v) {
+          const double h = curvatures_.mean[v], k = curvatures_.gaussian[v];
+          // κ₁² + κ₂² >= 2 |κ₁ κ₂|, which the discrete values may violate at sharp corners.
+          density_[v] = std::max(4 * h * h - 2 * k, 2 * std::abs(k));
+        }),
         [&] { return fillInSlices(sums_, vertices, 0., budget); },
         [&] {
           for (; round_ < options_.smoothing; ++round_, smoothing_ = {})
             if (!smooth(budget)) return false;
           return true;
         },
-        [&] {
-          return forVertices([&](int v) { mean_ += areas_[v] * density_[v] / mesh_.area(); });
-        },
+        forVertices([&](int v) { mean_ += areas_[v] * density_[v] / mesh_.area(); }),
         [&] { isFlat_ = !(mean_ * mesh_.area() > 2 * kDefectRounding * vertices); },
-        [&] { return forVertices([&](int v) { density_[v] = scaled(density_[v]); }); });
+        forVertices([&](int v) { density_[v] = scaled(density_[v]); }));
   }
   double progress() const override { return (measuring_.progress() + sequence_.progress()) / 2; }
   std::vector<double> result() override { return std::move(density_); }
@@ -141,20 +134,17 @@ class DensityMaking final : public SlicedWork<std::vector<double>> {
   /// Sets every vertex to the mean of the faces around it, weighted by area; the value of a face is
   /// the mean of its corners.
   bool smooth(long& budget) {
-    return smoothing_.run(
-        [&] {
-          return loop_.run(mesh_.faceCount(), budget, 8, [&](int f) {
-            const int a = mesh_.tail(3 * f), b = mesh_.tail(3 * f + 1), c = mesh_.tail(3 * f + 2);
-            const double share = mesh_.faceArea(f) * (density_[a] + density_[b] + density_[c]) / 9;
-            for (const int v : {a, b, c}) sums_[v] += share;
-          });
-        },
-        [&] {
-          return loop_.run(mesh_.vertexCount(), budget, kQuickRounds, [&](int v) {
-            density_[v] = sums_[v] / areas_[v];
-            sums_[v] = 0;
-          });
-        });
+    const auto addToSums = [&](int f) {
+      const int a = mesh_.tail(3 * f), b = mesh_.tail(3 * f + 1), c = mesh_.tail(3 * f + 2);
+      const double share = mesh_.faceArea(f) * (density_[a] + density_[b] + density_[c]) / 9;
+      for (const int v : {a, b, c}) sums_[v] += share;
+    };
+    const auto takeMean = [&](int v) {
+      density_[v] = sums_[v] / areas_[v];
+      sums_[v] = 0;
+    };
+    return smoothing_.run(forEach(mesh_.faceCount(), budget, 8, addToSums),
+                          forEach(mesh_.vertexCount(), budget, kQuickRounds, takeMean));
   }
 
   /// The density raised by the floor, scaled to the mean 1.
@@ -166,7 +156,6 @@ class DensityMaking final : public SlicedWork<std::vector<double>> {
   const CurvatureDensityOptions options_;
   CurvatureMeasuring measuring_;
   SlicedSequence sequence_, smoothing_;
-  SlicedLoop loop_;
   std::vector<double> areas_;
   VertexCurvatures curvatures_;
   std::vector<double> density_, sums_;

@@ -42,25 +42,19 @@ bool TriangleOrienting::step(long& budget) {
   const std::size_t count = faces_.size();
   return sequence_.run(
       [&] { return fillInSlices(out_.flipped, count, '\0', budget); },
-      [&] {
-        return orientation_ == Orientation::kUnify ||
-               loop_.run(3 * count, budget, kQuickRounds, [&](int h) { cutIfInconsistent(h); });
-      },
+      forEach(orientation_ == Orientation::kUnify ? 0 : 3 * count, budget, kQuickRounds,
+              [&](int h) { cutIfInconsistent(h); }),
       [&] { return fillInSlices(out_.component, count, -1, budget); },
-      [&] {
-        queue_.reserve(count);
-        return loop_.run(count, budget, 8, [&](int i) { visit(i); });
-      },
+      [&] { queue_.reserve(count); }, forEach(count, budget, 8, [&](int i) { visit(i); }),
       [&] {
         endComponent();
         release(queue_);
       },
-      [&] {
-        return loop_.run(count, budget, kQuickRounds, [&](int t) {
-          if (isComponentTurned_[out_.component[t]]) out_.flipped[t] ^= 1;
-          isAnyFlipped_ |= out_.flipped[t] != 0;
-        });
-      },
+      forEach(count, budget, kQuickRounds,
+              [&](int t) {
+                if (isComponentTurned_[out_.component[t]]) out_.flipped[t] ^= 1;
+                isAnyFlipped_ |= out_.flipped[t] != 0;
+              }),
       // Side i of a triangle that is turned over becomes side 2 - i. The sides keep their
       // neighbours.
       [&] {
@@ -133,19 +127,15 @@ void TriangleOrienting::turnOver(int t) {
 
 bool SmallComponents::step(long& budget) {
   return least_ <= 1 ||
-         sequence_.run([&] { return fillInSlices(size_, oriented_.components, 0, budget); },
-                       [&] {
-                         return loop_.run(count_, budget, kQuickRounds,
-                                          [&](int t) { ++size_[oriented_.component[t]]; });
-                       },
-                       [&] { numberAnew(); },
-                       [&] { return repairs_.smallComponents == 0 || drop(budget); });
+         sequence_.run(
+             [&] { return fillInSlices(size_, oriented_.components, 0, budget); },
+             forEach(count_, budget, kQuickRounds, [&](int t) { ++size_[oriented_.component[t]]; }),
+             [&] { numberAnew(); }, [&] { return repairs_.smallComponents == 0 || drop(budget); });
 }
 
 bool SmallComponents::drop(long& budget) {
   return dropping_.run([&] { return fillInSlices(newTriangle_, count_, -1, budget); },
-                       [&] { return loop_.run(count_, budget, 8, [&](int t) { moveUp(t); }); },
-                       [&] { shorten(); },
+                       forEach(count_, budget, 8, [&](int t) { moveUp(t); }), [&] { shorten(); },
                        [&] {
                          Faces& faces = selection_.faces;
                          return loop_.run(3 * faces.size(), budget, kQuickRounds, [&](int h) {
@@ -153,11 +143,9 @@ bool SmallComponents::drop(long& budget) {
                              twin = 3 * newTriangle_[twin / 3] + twin % 3;
                          });
                        },
-                       [&] {
-                         return loop_.run(selection_.kept.size(), budget, kQuickRounds, [&](int t) {
-                           if (int& kept = selection_.kept[t]; kept >= 0) kept = newTriangle_[kept];
-                         });
-                       });
+                       forEach(selection_.kept, budget, kQuickRounds, [&](int t) {
+                         if (int& kept = selection_.kept[t]; kept >= 0) kept = newTriangle_[kept];
+                       }));
 }
 
 void SmallComponents::numberAnew() {
@@ -198,23 +186,21 @@ bool FanSplitting::step(long& budget) {
   const std::size_t halfedgeCount = 3 * faces_.size();
   return sequence_.run(
       [&] { return fillInSlices(firstVertex_, inputVertexCount_, -1, budget); },
-      [&] {
-        return loop_.run(faces_.size(), budget, 8, [&](int f) {
-          for (const int representative : faces_[f].vertices)
-            used_ += std::exchange(firstVertex_[representative], 0) < 0;
-        });
-      },
-      [&] {
-        out_.representative.reserve(used_);
-        return loop_.run(inputVertexCount_, budget, kQuickRounds, [&](int representative) {
-          if (firstVertex_[representative] < 0) return;
-          firstVertex_[representative] = static_cast<int>(out_.representative.size());
-          out_.representative.push_back(representative);
-        });
-      },
+      forEach(faces_, budget, 8,
+              [&](int f) {
+                for (const int representative : faces_[f].vertices)
+                  used_ += std::exchange(firstVertex_[representative], 0) < 0;
+              }),
+      [&] { out_.representative.reserve(used_); },
+      forEach(inputVertexCount_, budget, kQuickRounds,
+              [&](int representative) {
+                if (firstVertex_[representative] < 0) return;
+                firstVertex_[representative] = static_cast<int>(out_.representative.size());
+                out_.representative.push_back(representative);
+              }),
       [&] { return fillInSlices(out_.outgoing, out_.representative.size(), -1, budget); },
       [&] { return fillInSlices(isInFan_, halfedgeCount, '\0', budget); },
-      [&] { return loop_.run(halfedgeCount, budget, 8, [&](int h) { takeFan(h); }); });
+      forEach(halfedgeCount, budget, 8, [&](int h) { takeFan(h); }));
 }
 
 /// Gives the fan around a halfedge's tail a vertex, unless it has one.

@@ -84,10 +84,8 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   bool makeManifold(long& budget) {
     TriangleMesh& m = mesh_;
     return making_.run(
-        [&] {
-          return loop_.run(triangles_.size() / 3, budget, kQuickRounds,
-                           [&](int t) { requireVertices(triangles_, t, inputVertexCount()); });
-        },
+        forEach(triangles_.size() / 3, budget, kQuickRounds,
+                [&](int t) { requireVertices(triangles_, t, inputVertexCount()); }),
         [&] { return runPart(welding_, budget, positions_, triangles_, options_.weld); },
         [&] { representative_ = taken(welding_); },
         [&] {
@@ -122,9 +120,7 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
     return placing_.run(
         [&] { return fillInSlices(m.fanHalfedges_, m.halfedgeCount(), -1, budget); },
         [&] { takeFans(); },
-        [&] {
-          return loop_.run(m.vertexCount(), budget, kQuickRounds, [&](int v) { listFan(v); });
-        },
+        forEach(m.inputVertex_, budget, kQuickRounds, [&](int v) { listFan(v); }),
         [&] {
           release(fans_.outgoing);
           if (const std::size_t size = 3 * m.inputVertex_.size(); size > positions_.size()) {
@@ -132,9 +128,7 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
             positions_.resize(size);
           }
         },
-        [&] {
-          return loop_.run(m.inputVertex_.size(), budget, 8, [&](int v) { takePosition(v); });
-        },
+        forEach(m.inputVertex_, budget, 8, [&](int v) { takePosition(v); }),
         [&] {
           positions_.resize(3 * m.inputVertex_.size());
           positions_.shrink_to_fit();
@@ -146,23 +140,17 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   bool measure(long& budget) {
     TriangleMesh& m = mesh_;
     const auto forFaces = [&](long perUnit, auto body) {
-      return loop_.run(m.faceCount(), budget, perUnit, body);
+      return forEach(m.faceCount(), budget, perUnit, body);
     };
     const auto isLengthened = [&] { return m.repairs_.mollification > 0; };
     return measuring_.run(
-        [&] {
-          return loop_.run(m.vertexCount(), budget, kQuickRounds,
-                           [&](int v) { box_.extend(m.position(v)); });
-        },
-        [&] { requireExtent(); },
-        [&] { return forFaces(kMeasuredFaces, [&](int f) { measureFace(f); }); },
+        forEach(m.vertexCount(), budget, kQuickRounds, [&](int v) { box_.extend(m.position(v)); }),
+        [&] { requireExtent(); }, forFaces(kMeasuredFaces, [&](int f) { measureFace(f); }),
         [&] { requireEdgeLength(); },
+        forEach(maybeFlat_, budget, kQuickRounds,
+                [&](int i) { noteFlatness(maybeFlat_[i].first, maybeFlat_[i].second); }),
         [&] {
-          return loop_.run(maybeFlat_.size(), budget, kQuickRounds,
-                           [&](int i) { noteFlatness(maybeFlat_[i].first, maybeFlat_[i].second); });
-        },
-        [&] {
-          return !isLengthened() || forFaces(kMeasuredFaces, [&](int f) {
+          return !isLengthened() || loop_.run(m.faceCount(), budget, kMeasuredFaces, [&](int f) {
             setFace(f, lengthened(triangle(f), m.repairs_.mollification));
           });
         },
@@ -172,23 +160,18 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
         },
         [&] { return fillInSlices(m.angleSum_, m.vertexCount(), 0., budget); },
         [&] { return fillInSlices(m.longestEdge_, m.vertexCount(), 0., budget); },
-        [&] { return forFaces(8, [&](int f) { sumUp(f); }); });
+        forFaces(8, [&](int f) { sumUp(f); }));
   }
 
   /// The boundary loops, open seams between them, and what follows from their number.
   bool findBoundary(long& budget) {
     TriangleMesh& m = mesh_;
-    return finding_.run([&] { return fillInSlices(isOnFoundLoop_, m.vertexCount(), '\0', budget); },
-                        [&] {
-                          return loop_.run(m.vertexCount(), budget, kQuickRounds,
-                                           [&](int v) { followLoopFrom(v); });
-                        },
-                        [&] { sampleBoundary(); },
-                        [&] {
-                          return loop_.run(boundary_.size(), budget, 4,
-                                           [&](int i) { lookForSeam(boundary_[i]); });
-                        },
-                        [&] { countTopology(); });
+    return finding_.run(
+        [&] { return fillInSlices(isOnFoundLoop_, m.vertexCount(), '\0', budget); },
+        forEach(m.vertexCount(), budget, kQuickRounds, [&](int v) { followLoopFrom(v); }),
+        [&] { sampleBoundary(); },
+        forEach(boundary_, budget, 4, [&](int i) { lookForSeam(boundary_[i]); }),
+        [&] { countTopology(); });
   }
 
   // --- The manifold ------------------------------------------------------------------------------

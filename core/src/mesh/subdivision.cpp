@@ -45,13 +45,13 @@ class Subdivision final : public SlicedWork<SubdividedTriangles> {
 
   bool advance(long budget) override {
     return sequence_.run(
-        [&] {
-          return loop_.run(triangles_.size() / 3, budget, kQuickRounds, [&](int t) {
-            requireVertices(triangles_, t, vertexCount());
-            for (int i = 0; i < 3; ++i)
-              if (const Vector3d p = place(triangles_[3 * t + i]); p.allFinite()) box_.extend(p);
-          });
-        },
+        forEach(triangles_.size() / 3, budget, kQuickRounds,
+                [&](int t) {
+                  requireVertices(triangles_, t, vertexCount());
+                  for (int i = 0; i < 3; ++i)
+                    if (const Vector3d p = place(triangles_[3 * t + i]); p.allFinite())
+                      box_.extend(p);
+                }),
         [&] { findLongest(); }, [&] { return splitAll(budget); }, [&] { reserve(); },
         [&] { return splitAll(budget); });
   }
@@ -184,7 +184,6 @@ class Subdivision final : public SlicedWork<SubdividedTriangles> {
   const std::vector<int> triangles_;  ///< as given
 
   SlicedSequence sequence_;
-  SlicedLoop loop_;
   Eigen::AlignedBox3d box_;
   double longest_ = 0;      ///< sides longer than this are halved
   int next_ = 0;            ///< triangle

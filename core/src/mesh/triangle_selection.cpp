@@ -24,7 +24,7 @@ bool TriangleSelection::step(long& budget) {
   };
   return sequence_.run(
       [&] { return fillInSlices(out_.kept, count, -1, budget); },
-      [&] { return loop_.run(count, budget, kQuickRounds, [&](int t) { this->count(t); }); },
+      forEach(count, budget, kQuickRounds, [&](int t) { this->count(t); }),
       [&] { return byLowestCorner_.run(count, vertexCount_, lowestCorner, budget); },
       [&] {
         return byLowestCorner_.visitGroups(
@@ -34,9 +34,8 @@ bool TriangleSelection::step(long& budget) {
         byLowestCorner_ = {};
         out_.input.reserve(originals_);
         out_.faces.reserve(originals_);
-        return loop_.run(count, budget, kQuickRounds, [&](int t) { keep(t); });
       },
-      [&] { requireAny(); });
+      forEach(count, budget, kQuickRounds, [&](int t) { keep(t); }), [&] { requireAny(); });
 }
 
 void TriangleSelection::count(int t) {

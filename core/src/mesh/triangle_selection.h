@@ -47,7 +47,6 @@ class TriangleSelection {
   MeshRepairs& repairs_;
 
   SlicedSequence sequence_;
-  SlicedLoop loop_;
   Grouping byLowestCorner_;
   /// Of the triangles with one lowest corner: the two others, ascending, and the triangle.
   std::vector<KeyedItem> byCorners_;

@@ -19,12 +19,12 @@ bool VertexWelding::step(long& budget) {
             count, count, [&](int v) { return placeGroup(v); }, budget);
       },
       [&] { return places_.visitGroups([&](std::span<int> group) { weldGroup(group); }, budget); },
-      [&] {
-        places_ = {};
-        return weld_ == 0 || loop_.run(triangles_.size(), budget, kQuickRounds, [&](int i) {
-          if (const Eigen::Vector3d p = position(triangles_[i]); p.allFinite()) box_.extend(p);
-        });
-      },
+      [&] { places_ = {}; },
+      forEach(weld_ == 0 ? 0 : triangles_.size(), budget, kQuickRounds,
+              [&](int i) {
+                if (const Eigen::Vector3d p = position(triangles_[i]); p.allFinite())
+                  box_.extend(p);
+              }),
       [&] { openGrid(); },
       [&] { return !keptVertices_ || loop_.run(count, budget, 1, [&](int v) { weldToNear(v); }); });
 }

@@ -98,12 +98,11 @@ class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
   /// requested at once.
   bool offerPlaces(long& budget) {
     if (!round_.run(
-            [&] {
-              return loop_.run(places_.size(), budget, kPlacesPerUnit, [&](int i) {
-                for (const int label : places_[i].segment->labels)
-                  points_.push_back({label, pointAt(places_[i])});
-              });
-            },
+            forEach(places_, budget, kPlacesPerUnit,
+                    [&](int i) {
+                      for (const int label : places_[i].segment->labels)
+                        points_.push_back({label, pointAt(places_[i])});
+                    }),
             [&] { atPoints_ = field_.startDistancesAt(points_); },
             [&] { return atPoints_->step(budget); }, [&] { offer(atPoints_->take()); }))
       return false;

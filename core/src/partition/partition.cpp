@@ -45,7 +45,7 @@ class FaceCutting {
                          [&] { return sidePoints_.step(budget); },
                          [&] { pieces_.reserve(faces + diagram_.cells.points.size()); },
                          [&] { return fillInSlices(uncut_, faces, -1, budget); },
-                         [&] { return loop_.run(faces, budget, 4, [&](int f) { cutFace(f); }); });
+                         forEach(faces, budget, 4, [&](int f) { cutFace(f); }));
   }
 
   /// Ascending by face.
@@ -210,10 +210,7 @@ class Partitioner final : public SlicedWork<Partition> {
                            out_.triangleFace.reserve(n);
                            areas_.reserve(n);
                          },
-                         [&] {
-                           return loop_.run(n, budget, 8,
-                                            [&](int t) { addTriangle(byLabel_.items()[t], t); });
-                         },
+                         forEach(n, budget, 8, [&](int t) { addTriangle(byLabel_.items()[t], t); }),
                          [&] { byLabel_ = {}; });
   }
 
@@ -233,21 +230,17 @@ class Partitioner final : public SlicedWork<Partition> {
           release(pieces_);
           return fillInSlices(number_, all, -1, budget);
         },
-        [&] {
-          return loop_.run(n, budget, 8, [&](int t) {
-            for (const int v : out_.triangles[t]) used_ += std::exchange(number_[v], 0) < 0;
-          });
-        },
+        forEach(n, budget, 8,
+                [&](int t) {
+                  for (const int v : out_.triangles[t]) used_ += std::exchange(number_[v], 0) < 0;
+                }),
         [&] {
           out_.points.reserve(used_);
           out_.positions.reserve(used_);
-          return loop_.run(all, budget, 8, [&](int v) { numberVertex(v); });
         },
-        [&] {
-          return loop_.run(n, budget, 8, [&](int t) {
-            for (int& v : out_.triangles[t]) v = number_[v];
-          });
-        });
+        forEach(all, budget, 8, [&](int v) { numberVertex(v); }), forEach(n, budget, 8, [&](int t) {
+          for (int& v : out_.triangles[t]) v = number_[v];
+        }));
   }
 
   void numberVertex(int v) {

@@ -12,17 +12,16 @@ namespace gvd {
 
 bool RegionComplexBuilding::step(long& budget) {
   const std::size_t points = partition_.points.size(), halfedges = partition_.twins.size();
-  return sequence_.run(
-      [&] { return fillInSlices(vertexOfPoint_, points, -1, budget); },
-      [&] { return fillInSlices(borderAt_, halfedges, -1, budget); },
-      [&] { return fillInSlices(sectors_, points, 0, budget); },
-      [&] { return fillInSlices(isOnBoundary_, points, '\0', budget); },
-      [&] { return fillInSlices(isWalked_, halfedges, '\0', budget); },
-      [&] { return loop_.run(halfedges, budget, 8, [&](int h) { countSector(h); }); },
-      [&] { return loop_.run(points, budget, kQuickRounds, [&](int p) { findVertex(p); }); },
-      [&] { return loop_.run(halfedges, budget, 8, [&](int h) { walkLoopFrom(h); }); },
-      [&] { return loop_.run(out_.borders.size(), budget, 2, [&](int b) { listBorder(b); }); },
-      [&] { return loop_.run(out_.vertices.size(), budget, 1, [&](int v) { turnAround(v); }); });
+  return sequence_.run([&] { return fillInSlices(vertexOfPoint_, points, -1, budget); },
+                       [&] { return fillInSlices(borderAt_, halfedges, -1, budget); },
+                       [&] { return fillInSlices(sectors_, points, 0, budget); },
+                       [&] { return fillInSlices(isOnBoundary_, points, '\0', budget); },
+                       [&] { return fillInSlices(isWalked_, halfedges, '\0', budget); },
+                       forEach(halfedges, budget, 8, [&](int h) { countSector(h); }),
+                       forEach(points, budget, kQuickRounds, [&](int p) { findVertex(p); }),
+                       forEach(halfedges, budget, 8, [&](int h) { walkLoopFrom(h); }),
+                       forEach(out_.borders, budget, 2, [&](int b) { listBorder(b); }),
+                       forEach(out_.vertices, budget, 1, [&](int v) { turnAround(v); }));
 }
 
 /// The last halfedge of the sector that starts with h: the first one on the outline when turning

@@ -68,7 +68,6 @@ class RegionComplexBuilding {
 
   const Partition& partition_;
   SlicedSequence sequence_;
-  SlicedLoop loop_;
   std::vector<int> vertexOfPoint_;
   std::vector<int> borderAt_;       ///< the border that starts with a halfedge, or -1
   std::vector<int> sectors_;        ///< of regions around a point

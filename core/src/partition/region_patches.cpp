@@ -42,20 +42,16 @@ bool PatchMeasuring::step(long& budget) {
       [&] { return fillInSlices(isCounted_, vertices, '\0', budget); },
       [&] { return fillInSlices(lastLabel_, vertices, kNoLabel, budget); },
       [&] { return fillInSlices(partition_.regions, siteCount_, RegionPatch(), budget); },
-      [&] {
-        return loop_.run(halfedges, budget, 8, [&](int h) {
-          if (isOnOutline(partition_, h)) isCounted_[tail(h)] = isCounted_[tip(h)] = true;
-        });
-      },
-      [&] {
-        return loop_.run(triangles, budget, 8, [&](int t) {
-          RegionPatch& region = patchOf(partition_.triangleLabel[t]);
-          if (region.triangleCount++ == 0) region.firstTriangle = t;
-        });
-      },
-      [&] {
-        return loop_.run(siteCount_, budget, 8, [&](int l) { partition_.regions[l].label = l; });
-      },
+      forEach(halfedges, budget, 8,
+              [&](int h) {
+                if (isOnOutline(partition_, h)) isCounted_[tail(h)] = isCounted_[tip(h)] = true;
+              }),
+      forEach(triangles, budget, 8,
+              [&](int t) {
+                RegionPatch& region = patchOf(partition_.triangleLabel[t]);
+                if (region.triangleCount++ == 0) region.firstTriangle = t;
+              }),
+      forEach(siteCount_, budget, 8, [&](int l) { partition_.regions[l].label = l; }),
       [&] { return measureAll(budget); });
 }
 
@@ -82,7 +78,8 @@ bool PatchMeasuring::measure(RegionPatch& region, long& budget) {
   if (region.triangleCount == 0) return true;
   const int first = region.firstTriangle;
   const auto forTriangles = [&](long perUnit, auto body) {
-    return loop_.run(region.triangleCount, budget, perUnit, [&](int i) { body(first + i); });
+    return forEach(region.triangleCount, budget, perUnit,
+                   [first, body](int i) { body(first + i); });
   };
   return measuring_.run(
       [&] {
@@ -90,12 +87,10 @@ bool PatchMeasuring::measure(RegionPatch& region, long& budget) {
         nearest_ = {first};
         nextToSee_ = first;
       },
-      [&] { return forTriangles(8, [&](int t) { addArea(t, region); }); },
-      [&] {
-        return loop_.run(3 * region.triangleCount, budget, 8,
-                         [&](int i) { walkOutlineFrom(3 * first + i, region); });
-      },
-      [&] { return forTriangles(8, [&](int t) { countInnerVertices(t); }); },
+      forTriangles(8, [&](int t) { addArea(t, region); }),
+      forEach(3 * region.triangleCount, budget, 8,
+              [&](int i) { walkOutlineFrom(3 * first + i, region); }),
+      forTriangles(8, [&](int t) { countInnerVertices(t); }),
       [&] { return countComponents(region, budget); },
       [&] {
         addUpBorders(region.neighbours);
@@ -103,8 +98,8 @@ bool PatchMeasuring::measure(RegionPatch& region, long& budget) {
         region.centroid = region.area > 0 ? Vector3d(sums_.moment / region.area)
                                           : Vector3d(sums_.centres / region.triangleCount);
       },
-      [&] { return forTriangles(8, [&](int t) { offerFirstCorner(t, region); }); },
-      [&] { return forTriangles(8, [&](int t) { offerTriangle(t, region); }); },
+      forTriangles(8, [&](int t) { offerFirstCorner(t, region); }),
+      forTriangles(8, [&](int t) { offerTriangle(t, region); }),
       [&] {
         region.nearCentroid = {partition_.triangleFace[nearest_.triangle],
                                cornersInFace(mesh_, partition_, nearest_.triangle) * nearest_.bary};

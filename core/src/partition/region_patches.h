@@ -63,7 +63,6 @@ class PatchMeasuring {
   Partition& partition_;
 
   SlicedSequence sequence_, measuring_;
-  SlicedLoop loop_;
   int measured_ = 0;             ///< regions
   std::vector<char> isSeen_;     ///< triangles
   std::vector<char> isWalked_;   ///< halfedges on outlines

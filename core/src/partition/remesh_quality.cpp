@@ -74,15 +74,11 @@ class QualityMeasuring final : public SlicedWork<RemeshQuality> {
     return sequence_.run(
         [&] { return remeshing_->step(budget); }, [&] { measureRemesh(remeshing_->take()); },
         [&] { return runPart(coarse_, budget, triangles_); }, [&] { return fine_.step(budget); },
-        [&] {
-          return loop_.run(vertices, budget, 1,
-                           [&](int v) { note(coarse_->distance(surface_.position(v))); });
-        },
-        [&] {
-          return loop_.run(faces, budget, 1, [&](int f) {
-            note(coarse_->distance(surface_.position({f, Vector3d::Constant(1.0 / 3)})));
-          });
-        },
+        forEach(vertices, budget, 1, [&](int v) { note(coarse_->distance(surface_.position(v))); }),
+        forEach(faces, budget, 1,
+                [&](int f) {
+                  note(coarse_->distance(surface_.position({f, Vector3d::Constant(1.0 / 3)})));
+                }),
         [&] { return visitRemesh(budget); });
   }
   double progress() const override { return sequence_.progress(); }
@@ -121,7 +117,6 @@ class QualityMeasuring final : public SlicedWork<RemeshQuality> {
   std::unique_ptr<SlicedWork<PolygonMesh>> remeshing_;
 
   SlicedSequence sequence_;
-  SlicedLoop loop_;
   Triangles triangles_;  ///< of the remesh
   std::optional<TriangleTree> coarse_;
   TriangleTree fine_;         ///< of the surface

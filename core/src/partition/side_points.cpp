@@ -9,13 +9,11 @@
 namespace gvd {
 
 bool SidePoints::step(long& budget) {
-  return sequence_.run(
-      [&] { return loop_.run(diagram_.cells.size(), budget, 2, [&](int cell) { collect(cell); }); },
-      [&] {
-        sortStably(std::span(points_), [](const Point& a, const Point& b) {
-          return std::tie(a.halfedge, a.order) < std::tie(b.halfedge, b.order);
-        });
-      });
+  return sequence_.run(forEach(diagram_.cells, budget, 2, [&](int cell) { collect(cell); }), [&] {
+    sortStably(std::span(points_), [](const Point& a, const Point& b) {
+      return std::tie(a.halfedge, a.order) < std::tie(b.halfedge, b.order);
+    });
+  });
 }
 
 std::span<const SidePoints::Point> SidePoints::next(int face) {

@@ -41,7 +41,6 @@ class SidePoints {
   const std::vector<int>& vertexOfPoint_;
 
   SlicedSequence sequence_;
-  SlicedLoop loop_;
   std::vector<std::pair<int, int>> sides_;  ///< of the cells of the current face
   std::vector<Point> points_;               ///< ascending by halfedge and order
   std::size_t next_ = 0;                    ///< point

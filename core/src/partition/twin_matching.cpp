@@ -13,7 +13,7 @@ bool TwinMatching::step(long& budget) {
   return sequence_.run([&] { return fillInSlices(out_.twins, 3 * n, -1, budget); },
                        [&] { return fillInSlices(firstOpen_, out_.points.size(), -1, budget); },
                        [&] { return fillInSlices(nextOpen_, 3 * n, -1, budget); },
-                       [&] { return loop_.run(n, budget, 4, [&](int t) { matchTriangle(t); }); });
+                       forEach(n, budget, 4, [&](int t) { matchTriangle(t); }));
 }
 
 void TwinMatching::matchTriangle(int t) {

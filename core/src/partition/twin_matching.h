@@ -29,7 +29,6 @@ class TwinMatching {
   Partition& out_;
 
   SlicedSequence sequence_;
-  SlicedLoop loop_;
   /// Lists of the halfedges without a twin so far, by the lower of their ends.
   std::vector<int> firstOpen_, nextOpen_;
 };

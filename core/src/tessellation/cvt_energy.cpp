@@ -66,17 +66,11 @@ class Integrator final : public SlicedWork<CvtEnergy> {
   bool advance(long budget) override {
     const int faces = mesh_.faceCount();
     return sequence_.run(
-        [&] {
-          return loop_.run(mesh_.vertexCount(), budget, 4,
-                           [&](int v) { logMaps_.add(distances_, v); });
-        },
+        forEach(mesh_.vertexCount(), budget, 4, [&](int v) { logMaps_.add(distances_, v); }),
         [&] { return fillInSlices(out_.faceEnergy, faces, 0., budget); },
-        [&] { return loop_.run(faces, budget, 4, [&](int f) { addFace(f); }); },
-        [&] { return loop_.run(diagram_.cells.size(), budget, 2, [&](int c) { addCell(c); }); },
-        [&] {
-          return loop_.run(faces, budget, kQuickRounds,
-                           [&](int f) { out_.energy += out_.faceEnergy[f]; });
-        });
+        forEach(faces, budget, 4, [&](int f) { addFace(f); }),
+        forEach(diagram_.cells, budget, 2, [&](int c) { addCell(c); }),
+        forEach(faces, budget, kQuickRounds, [&](int f) { out_.energy += out_.faceEnergy[f]; }));
   }
   double progress() const override { return sequence_.progress(); }
   CvtEnergy result() override { return std::move(out_); }
@@ -155,7 +149,6 @@ class Integrator final : public SlicedWork<CvtEnergy> {
   const Diagram& diagram_;
   const std::span<const double> density_;
   SlicedSequence sequence_;
-  SlicedLoop loop_;
   LogMaps logMaps_;
   CvtEnergy out_;
 

@@ -43,15 +43,13 @@ DiskGrid::DiskGrid(const TriangleMesh& mesh, double width)
     : mesh_(mesh), width_(std::max(width, std::sqrt(2 * mesh.area() / kMostRectangles))) {}
 
 bool DiskGrid::prepare(long& budget) {
-  return sequence_.run(
-      [&] {
-        first_.reserve(mesh_.faceCount() + 1);
-        return loop_.run(mesh_.faceCount(), budget, kQuickRounds, [&](int f) {
-          const Grid grid = gridOf(mesh_.face(f));
-          first_.push_back(first_.back() + grid.columns * grid.rows);
-        });
-      },
-      [&] { disks_ = SmallLists<int>(first_.back()); });
+  return sequence_.run([&] { first_.reserve(mesh_.faceCount() + 1); },
+                       forEach(mesh_.faceCount(), budget, kQuickRounds,
+                               [&](int f) {
+                                 const Grid grid = gridOf(mesh_.face(f));
+                                 first_.push_back(first_.back() + grid.columns * grid.rows);
+                               }),
+                       [&] { disks_ = SmallLists<int>(first_.back()); });
 }
 
 /// The number of rectangles is at most that of squares of `width_` in the face, or 1.

@@ -47,7 +47,6 @@ class DiskGrid {
   const TriangleMesh& mesh_;
   const double width_;
   SlicedSequence sequence_;
-  SlicedLoop loop_;
   std::vector<int> first_ = {0};     ///< per face its first rectangle; then their number
   SmallLists<int> disks_;            ///< per rectangle
   std::deque<Distances> distances_;  ///< of a disk in a face; not moved when there are more

@@ -119,9 +119,8 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
 
   bool spread(long& budget) {
     const auto& reached = sweep_.reached();
-    isSpreading_ = !spread_.run(
-        [&] { return sweep_.step(budget); },
-        [&] { return loop_.run(reached.size(), budget, 4, [&](int i) { addDisk(reached[i]); }); });
+    isSpreading_ = !spread_.run([&] { return sweep_.step(budget); },
+                                forEach(reached, budget, 4, [&](int i) { addDisk(reached[i]); }));
     return !isSpreading_;
   }
 
@@ -159,7 +158,6 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
   std::mt19937_64 random_;
 
   SlicedSequence sequence_, spread_;
-  SlicedLoop loop_;
   dgpc::UnfoldingSweep sweep_;
   std::vector<double> sums_;  ///< of the areas of faces
   size_t misses_ = 0;         ///< since the last dart that hit

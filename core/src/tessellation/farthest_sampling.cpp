@@ -35,11 +35,10 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
   bool advance(long budget) override {
     return sequence_.run(
         [&] { return fillInSlices(least_, mesh_.vertexCount(), kInfinity, budget); },
-        [&] {
-          return loop_.run(mesh_.vertexCount(), budget, 8, [&](int v) {
-            queue_.push({kInfinity, -v});
-          });
-        },
+        forEach(mesh_.vertexCount(), budget, 8,
+                [&](int v) {
+                  queue_.push({kInfinity, -v});
+                }),
         [&] { return sweep_.prepare(budget); },
         [&] { return count_ == 0 || sumAreas(mesh_, sums_, budget); },
         [&] {
@@ -67,19 +66,18 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
 
   bool isComplete() const { return static_cast<int>(points_.size()) == count_; }
 
+  /// Takes the distance of a vertex from the last point. A distance from the nearest point is right
+  /// if the sweep reaches both ends of every edge that the path crosses. These ends are at most an
+  /// edge length beyond the point's region.
+  void takeDistance(int v) {
+    least_[v] = std::min(least_[v], sweep_.distance(v));
+    sweep_.setReach(v, least_[v] + mesh_.longestEdge(v));
+  }
+
   bool addOthers(long& budget) {
     const auto& reached = sweep_.reached();
     while (spread_.run([&] { return sweep_.step(budget); },
-                       [&] {
-                         return loop_.run(reached.size(), budget, 8, [&](int i) {
-                           const int v = reached[i];
-                           least_[v] = std::min(least_[v], sweep_.distance(v));
-                           // A distance from the nearest point is right if the sweep reaches both
-                           // ends of every edge that the path crosses. These ends are at most an
-                           // edge length beyond the point's region.
-                           sweep_.setReach(v, least_[v] + mesh_.longestEdge(v));
-                         });
-                       },
+                       forEach(reached, budget, 8, [&](int i) { takeDistance(reached[i]); }),
                        [&] { return isComplete() || findFarthest(budget); })) {
       if (isComplete()) return true;
       const auto [distance, negative] = queue_.top();
@@ -107,7 +105,6 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
   const double coveringRadius_;
 
   SlicedSequence sequence_, spread_;
-  SlicedLoop loop_;
   dgpc::UnfoldingSweep sweep_;
   std::vector<double> sums_;                           ///< of the areas of faces
   std::vector<double> least_;                          ///< from the nearest point, per vertex

@@ -30,18 +30,18 @@ class RandomSampling final : public SlicedWork<std::vector<SurfacePoint>> {
   }
 
   bool advance(long budget) override {
-    return sequence_.run(
-        [&] {
-          sums_.reserve(mesh_.faceCount());
-          return loop_.run(mesh_.faceCount(), budget, 8, [&](int f) {
-            sum_ += mesh_.faceArea(f) * (density_.empty() ? 1 : rootsOf(f).sum());
-            sums_.push_back(sum_);
-          });
-        },
-        [&] {
-          if (!(sum_ > 0)) rejectArgument("the density is zero all over the surface");
-        },
-        [&] { return loop_.run(count_, budget, 1, [&](int) { points_.push_back(draw()); }); });
+    return sequence_.run([&] { sums_.reserve(mesh_.faceCount()); },
+                         forEach(mesh_.faceCount(), budget, 8,
+                                 [&](int f) {
+                                   sum_ += mesh_.faceArea(f) *
+                                           (density_.empty() ? 1 : rootsOf(f).sum());
+                                   sums_.push_back(sum_);
+                                 }),
+                         [&] {
+                           if (!(sum_ > 0))
+                             rejectArgument("the density is zero all over the surface");
+                         },
+                         forEach(count_, budget, 1, [&](int) { points_.push_back(draw()); }));
   }
   double progress() const override { return sequence_.progress(); }
   std::vector<SurfacePoint> result() override { return std::move(points_); }
@@ -67,7 +67,6 @@ class RandomSampling final : public SlicedWork<std::vector<SurfacePoint>> {
   const int count_;
   std::mt19937_64 random_;
   SlicedSequence sequence_;
-  SlicedLoop loop_;
   std::vector<double> sums_;  ///< per face, of the integrals up to it
   double sum_ = 0;
   std::vector<SurfacePoint> points_;

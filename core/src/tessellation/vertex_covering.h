@@ -31,7 +31,6 @@ class VertexCovering {
   std::vector<SurfacePoint>& points_;
 
   SlicedSequence round_;
-  SlicedLoop loop_;
   SiteDistances distances_;
   int farthest_ = -1;  ///< vertex
   double distance_ = 0;
