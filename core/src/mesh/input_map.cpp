@@ -18,39 +18,28 @@ std::pair<int, int> endsOf(const Corners& corners) {
 }  // namespace
 
 bool InputMap::step(long& budget) {
-  const std::size_t vertices = representative_.size();
   const Faces& faces = selection_.faces;
   std::vector<int>& kept = selection_.kept;
-  const auto forTriangles = [&](long perUnit, auto body) {
-    return loop_.run(kept.size(), budget, perUnit, body);
+  const std::size_t vertices = representative_.size(), triangles = kept.size();
+  const bool hasDegenerate = repairs_.degenerateTriangles > 0;
+  const auto forDegenerate = [&](long perUnit, auto body) {
+    return forEach(hasDegenerate ? triangles : 0, budget, perUnit, [this, body](int t) {
+      if (const Corners corners = welded()[t]; isSought(corners)) body(t, endsOf(corners));
+    });
   };
   return sequence_.run(
       // Finds, for each degenerate triangle, a face with corners at both of its positions.
-      [&] {
-        return forTriangles(8, [&](int t) {
-          if (const Corners corners = welded()[t]; isSought(corners))
-            faceWith_.emplace(endsOf(corners), -1);
-        });
-      },
-      [&] {
-        return faceWith_.empty() || loop_.run(3 * faces.size(), budget, 4, [&](int h) {
-          offer(tailOf(faces, h), tailOf(faces, h), h / 3);
-          offer(tailOf(faces, h), tipOf(faces, h), h / 3);
-        });
-      },
-      [&] {
-        return faceWith_.empty() || forTriangles(4, [&](int t) {
-                 if (const Corners corners = welded()[t]; isSought(corners))
-                   kept[t] = faceWith_.at(endsOf(corners));
-               });
-      },
-      [&] {
-        faceWith_.clear();
-        return fillInSlices(out_.ofVertex, vertices, -1, budget);
-      },
+      forDegenerate(8, [&](int, const auto& ends) { faceWith_.emplace(ends, -1); }),
+      forEach(hasDegenerate ? 3 * faces.size() : 0, budget, 4,
+              [&](int h) {
+                offer(tailOf(faces, h), tailOf(faces, h), h / 3);
+                offer(tailOf(faces, h), tipOf(faces, h), h / 3);
+              }),
+      forDegenerate(4, [&](int t, const auto& ends) { kept[t] = faceWith_.at(ends); }),
+      [&] { faceWith_.clear(); }, [&] { return fillInSlices(out_.ofVertex, vertices, -1, budget); },
       [&] { return fillInSlices(ofRepresentative_, vertices, -1, budget); },
-      [&] { return forTriangles(8, [&](int t) { mapTriangle(t); }); },
-      [&] { return loop_.run(vertices, budget, kQuickRounds, [&](int v) { mapVertex(v); }); });
+      forEach(triangles, budget, 8, [&](int t) { mapTriangle(t); }),
+      forEach(vertices, budget, kQuickRounds, [&](int v) { mapVertex(v); }));
 }
 
 void InputMap::offer(int a, int b, int face) {

@@ -49,7 +49,6 @@ class InputMap {
   MeshRepairs& repairs_;
 
   SlicedSequence sequence_;
-  SlicedLoop loop_;
   std::map<std::pair<int, int>, int> faceWith_;  ///< by the positions of a degenerate triangle
   std::vector<int> ofRepresentative_;
   Halfedges out_;
