@@ -18,16 +18,13 @@ void BoundsLowering::start(LabelChange& change) {
 
 bool BoundsLowering::step(long& budget) {
   return sequence_.run(
-      [&] {
-        return loop_.run(change_->resetVertices.size(), budget, kQuickRounds, [&](int i) {
-          const int v = change_->resetVertices[i];
-          bounds_[v].distance = edgeBounds_[v];
-        });
-      },
-      [&] {
-        return loop_.run(edgeBounds_.changed().size(), budget, kQuickRounds,
-                         [&](int i) { resetBound(edgeBounds_.changed()[i]); });
-      },
+      forEach(change_->resetVertices, budget, kQuickRounds,
+              [&](int i) {
+                const int v = change_->resetVertices[i];
+                bounds_[v].distance = edgeBounds_[v];
+              }),
+      forEach(edgeBounds_.changed(), budget, kQuickRounds,
+              [&](int i) { resetBound(edgeBounds_.changed()[i]); }),
       [&] { startTurns(); }, [&] { return spread(budget); });
 }
 

@@ -49,7 +49,6 @@ class BoundsLowering {
   // The current change.
   LabelChange* change_ = nullptr;
   SlicedSequence sequence_;
-  SlicedLoop loop_;
   LabelTurns turns_;
   bool hasSpread_ = true;            ///< whether all labels have; only missed vertices are left
   std::vector<int> bounded_;         ///< vertices limited by paths along edges alone

@@ -62,10 +62,7 @@ bool KnownLabels::step(long& budget) {
         makeSet(changedLabels_);
       },
       [&] { return listLabels(budget); },
-      [&] {
-        return loop_.run(changed.size(), budget, kQuickRounds,
-                         [&](int i) { lists_.equalizeTies(changed[i]); });
-      },
+      forEach(changed, budget, kQuickRounds, [&](int i) { lists_.equalizeTies(changed[i]); }),
       // 4. Closure.
       [&] { closure_.start(changedFaces_); }, [&] { return closure_.step(budget); },
       [&] {
@@ -91,10 +88,7 @@ bool KnownLabels::allotLists(long& budget) {
                                 });
       },
       [&] { lists_.beginAllotting(std::accumulate(roomAt_.begin(), roomAt_.end(), int64_t{0})); },
-      [&] {
-        return loop_.run(vertices, budget, kQuickRounds,
-                         [&](int v) { lists_.allot(v, roomAt_[v]); });
-      },
+      forEach(vertices, budget, kQuickRounds, [&](int v) { lists_.allot(v, roomAt_[v]); }),
       [&] { release(roomAt_); });
 }
 

@@ -33,14 +33,11 @@ bool OwnerFinding::step(long& budget) {
       [&] { return markFinal(change_->started, budget); },
       [&] { return markFinal(change_->resumed, budget); },
       [&] { return change_->startsAll ? affectAll(budget) : findAffected(budget); },
-      [&] { return findTies(budget); },
-      [&] {
-        return loop_.run(affectedFaces_.size(), budget, kQuickRounds,
-                         [&](int i) { owners_.reset(affectedFaces_.list()[i], requirements_); });
-      },
-      [&] {
-        return loop_.run(ties_.size(), budget, kQuickRounds, [&](int i) { addTie(ties_[i]); });
-      });
+      forEach(changedVertices_.list(), budget, kQuickRounds,
+              [&](int i) { findTies(changedVertices_.list()[i]); }),
+      forEach(affectedFaces_.list(), budget, kQuickRounds,
+              [&](int i) { owners_.reset(affectedFaces_.list()[i], requirements_); }),
+      forEach(ties_, budget, kQuickRounds, [&](int i) { addTie(ties_[i]); }));
 }
 
 /// Marks the distances that are final because the label owns the vertex or ties with its owner.
@@ -77,24 +74,22 @@ bool OwnerFinding::affectAll(long& budget) {
 /// at the corners of that face any more, so these corners count as changed, too, and so on. The
 /// same goes for labels listed there with the distance of the dropped one (`equalizeTies`).
 bool OwnerFinding::findAffected(long& budget) {
-  const auto forEach = [&](const std::vector<int>& list, auto body) {
-    return loop_.run(list.size(), budget, 8, [&](int i) { body(list[i]); });
+  const auto forAll = [&](const std::vector<int>& list, auto body) {
+    return forEach(list, budget, 8, [&list, body](int i) { body(list[i]); });
   };
   const auto addFacesAround = [&](int v) {
     mesh_.visitFaces(v, [&](int f) { affectedFaces_.add(f); });
   };
   return affecting_.run(
-      [&] { return forEach(change_->resetVertices, addFacesAround); },
-      [&] { return forEach(newlyFinal_, addFacesAround); },
+      forAll(change_->resetVertices, addFacesAround), forAll(newlyFinal_, addFacesAround),
       [&] {
         for (const int label : change_->started) addFacesOfSite(label);
       },
-      [&] {
-        return forEach(affectedFaces_.list(), [&](int f) {
-          for (int h = 3 * f; h < 3 * f + 3; ++h) changedVertices_.add(mesh_.tail(h));
-        });
-      },
-      [&] { return forEach(changedVertices_.list(), [&](int v) { doubtInterpolated(v); }); },
+      forAll(affectedFaces_.list(),
+             [&](int f) {
+               for (int h = 3 * f; h < 3 * f + 3; ++h) changedVertices_.add(mesh_.tail(h));
+             }),
+      forAll(changedVertices_.list(), [&](int v) { doubtInterpolated(v); }),
       [&] { dropDoubtful(); });
 }
 
@@ -131,18 +126,15 @@ void OwnerFinding::dropDoubtful() {
 }
 
 /// Finds the labels that tie at a changed vertex among those that were known there before.
-bool OwnerFinding::findTies(long& budget) {
-  return loop_.run(changedVertices_.size(), budget, kQuickRounds, [&](int i) {
-    const int v = changedVertices_.list()[i];
-    for (size_t k = 0; k < lists_[v].size(); ++k) {
-      const int label = lists_[v][k].label;
-      if (!sites_.contains(label) || change_->hasStarted[label]) continue;
-      // The distance that the label has found: the listed one may have been lowered to that of a
-      // label that is gone (`equalizeTies`).
-      const ReachedVertex& r = spread_.reached(label)[lists_.reachedIndices(v)[k]];
-      if (bounds_.ties().isAtMost(r.distance, bounds_[v].distance)) noteTie(v, label);
-    }
-  });
+void OwnerFinding::findTies(int v) {
+  for (size_t k = 0; k < lists_[v].size(); ++k) {
+    const int label = lists_[v][k].label;
+    if (!sites_.contains(label) || change_->hasStarted[label]) continue;
+    // The distance that the label has found: the listed one may have been lowered to that of a
+    // label that is gone (`equalizeTies`).
+    const ReachedVertex& r = spread_.reached(label)[lists_.reachedIndices(v)[k]];
+    if (bounds_.ties().isAtMost(r.distance, bounds_[v].distance)) noteTie(v, label);
+  }
 }
 
 /// Makes a label that ties with the owner of a vertex an owner of the affected faces around it.

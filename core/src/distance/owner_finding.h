@@ -63,7 +63,7 @@ class OwnerFinding {
   void doubt(int vertex, int label);
   void doubtInterpolated(int vertex);
   void dropDoubtful();
-  bool findTies(long& budget);
+  void findTies(int vertex);
   void addTie(const LabelAtVertex& tie);
 
   const TriangleMesh& mesh_;
@@ -76,7 +76,6 @@ class OwnerFinding {
   // The current change.
   const LabelChange* change_ = nullptr;
   SlicedSequence sequence_, affecting_;
-  SlicedLoop loop_;
   ReachedLoop reachedLoop_;
   std::vector<int> newlyFinal_;      ///< vertices where a distance has become final
   std::vector<LabelAtVertex> ties_;  ///< labels that are as near as the owner

@@ -221,7 +221,7 @@ class SiteDistances::DistancesAtPoints final : public SlicedWork<std::vector<dou
 
   bool advance(long budget) override {
     return sequence_.run(
-        [&] { return loop_.run(points_.size(), budget, kQuickRounds, [&](int i) { sortOut(i); }); },
+        forEach(points_, budget, kQuickRounds, [&](int i) { sortOut(i); }),
         [&] { atPoints_ = field_.spread_->startDistancesAt(open_, field_.known_); },
         [&] { return atPoints_->step(budget); });
   }
@@ -248,7 +248,6 @@ class SiteDistances::DistancesAtPoints final : public SlicedWork<std::vector<dou
   std::vector<LabelledPoint> points_;
   std::vector<double> distances_;
   SlicedSequence sequence_;
-  SlicedLoop loop_;
   std::vector<LabelledPoint> open_;
   std::vector<int> openIndices_;
   std::unique_ptr<SlicedWork<std::vector<double>>> atPoints_;

@@ -158,6 +158,7 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
   std::mt19937_64 random_;
 
   SlicedSequence sequence_, spread_;
+  SlicedLoop loop_;
   dgpc::UnfoldingSweep sweep_;
   std::vector<double> sums_;  ///< of the areas of faces
   size_t misses_ = 0;         ///< since the last dart that hit

@@ -56,10 +56,7 @@ PointDistances::PointDistances(const TriangleMesh& mesh, const SiteSet& sites,
 
 bool PointDistances::advance(long budget) {
   return sequence_.run(
-      [&] {
-        return loop_.run(points_.size(), budget, kPointsPerUnit,
-                         [&](int i) { sortOut(points_[i]); });
-      },
+      forEach(points_, budget, kPointsPerUnit, [&](int i) { sortOut(points_[i]); }),
       [&] {
         return byLabel_.run(
             static_cast<int>(open_.size()), sites_.labelCount(),

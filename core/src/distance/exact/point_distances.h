@@ -76,7 +76,6 @@ class PointDistances final : public SlicedWork<std::vector<double>> {
   std::unique_ptr<WindowSweep>& spare_;
   std::unique_ptr<WindowSweep> sweep_;  ///< null while no point is open
   SlicedSequence sequence_;
-  SlicedLoop loop_;
   std::vector<double> distances_;
   std::vector<OpenPoint> open_;
   Grouping byLabel_;      ///< the indices of open points
