@@ -24,7 +24,6 @@ interface Exports {
   errorMessage(): number;
   answerRowCount(answer: number): number;
   answerRows(answer: number): number;
-  freeAnswer(answer: number): void;
 }
 
 /** A slice of work has ended, and with it the work: `SliceEnd` in `abi.h`. */
@@ -150,29 +149,12 @@ export class WasmModule {
     return this.#toNumber(argument, []);
   }
 
-  /** Calls a function that returns an `Answer` at once: a copy of it as an object. */
-  answer<Result>(name: string, ...args: readonly Argument[]): Result {
-    return this.take(this.call(name, ...args));
-  }
-
   /** Works on an `Answer` in steps; `requireOpen` throws when it should not go on. */
   *working(answer: number, requireOpen: () => unknown = () => {}): SlicedWork<void> {
     for (;;) {
       requireOpen();
       if (this.call('stepAnswer', answer, unitsPerStep) === sliceDone) return;
       yield this.run('answerProgress', answer) ?? 0;
-    }
-  }
-
-  /** Copies a finished `Answer` and frees it. */
-  take<Result>(answer: number): Result {
-    const copying = this.copying<Result>(answer);
-    try {
-      let next = copying.next();
-      while (!next.done) next = copying.next();
-      return next.value;
-    } finally {
-      this.#exports.freeAnswer(answer);
     }
   }
 
