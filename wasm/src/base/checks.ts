@@ -86,25 +86,6 @@ export function isA<Kind extends keyof Kinds>(value: unknown, kind: Kind): value
   return Object.prototype.toString.call(value) === `[object ${kind}]`;
 }
 
-export function toOneOf<Name extends string>(
-  what: string,
-  name: Name,
-  names: readonly Name[],
-): Name {
-  if (names.includes(name)) return name;
-  throw invalidArgument(`${what} is ${show(name)}, not one of ${names.join(', ')}`);
-}
-
-export function toBoolean(name: string, value: boolean): boolean {
-  if (typeof value === 'boolean') return value;
-  throw invalidArgument(`${name} is ${show(value)}, not true or false`);
-}
-
-export function toInteger(name: string, value: number, least: number, most: number): number {
-  if (Number.isInteger(value) && value >= least && value <= most) return value;
-  throw invalidArgument(`${name} is ${show(value)}, not an integer from ${least} to ${most}`);
-}
-
 /** Colours as linear RGB; one that is left out is undefined. */
 export function toColours(
   name: string,

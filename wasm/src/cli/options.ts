@@ -5,25 +5,31 @@
 
 import {
   diagramDefaults,
+  limitRule,
   maxCount,
   maxDetail,
-  maxLimit,
   meshDefaults,
-  ranges,
   repairDefaults,
+  rules,
   samplingDefaults,
   tessellationDefaults,
 } from '../library/arguments.js';
-import { partitionLayouts } from '../output/partition_formats.js';
-import { cvtMethods, metrics, orientations, samplings, worstRegions } from '../api/results.js';
-import { gltfLimitNames } from '../api/options.js';
+import { integers, oneOf } from '../base/rules.js';
+import { type PartitionLayout, partitionLayouts } from '../output/partition_formats.js';
+import {
+  type CvtMethod,
+  type Metric,
+  type Orientation,
+  type Sampling,
+  samplings,
+} from '../api/results.js';
+import { type GltfLimitName, gltfLimitNames } from '../api/options.js';
 import {
   assignments,
-  integer,
+  choice,
   listed,
   number,
   numberOrPath,
-  oneOf,
   path,
   lengths,
   units,
@@ -49,31 +55,31 @@ export interface OptionSpec {
 export const options = {
   sites: {
     value: 'N|FILE',
-    parse: numberOrPath(1, maxCount),
+    parse: numberOrPath(rules.count),
     optional: true,
     help: 'Number of sites to sample, or a file of them: JSON, on the surface or by coordinates; or a PLY or a table of numbers, by coordinates',
   },
   radius: {
     value: 'LENGTH',
-    parse: number(ranges.radius),
+    parse: number(rules.radius),
     optional: true,
     help: 'Instead of --sites: sample as many as it takes until no vertex is farther from one than this',
   },
   sampling: {
     value: 'METHOD',
-    parse: oneOf([...samplings, ...worstRegions]),
+    parse: choice<Sampling>(rules.sampling),
     optional: true,
     help: `How to sample: ${listed(samplings)}; size, distortion: one site after the other, in the largest region or the most distorted one (default: random, with --radius farthest)`,
   },
   'per-component': {
     value: 'N',
-    parse: integer(0, maxCount),
+    parse: number(rules.perComponent),
     default: String(samplingDefaults.perComponent),
     help: 'The least number of sites on each component',
   },
   seed: {
     value: 'S',
-    parse: integer(0),
+    parse: number(rules.seed),
     default: String(samplingDefaults.seed),
     help: 'Seed of the sampling; the same gives the same sites',
   },
@@ -94,13 +100,13 @@ export const options = {
   },
   iterations: {
     value: 'N',
-    parse: integer(0, maxCount),
+    parse: number(rules.iterations),
     default: String(tessellationDefaults.iterations),
     help: 'How many iterations at most; of remesh, in each of up to three rounds',
   },
   method: {
     value: 'METHOD',
-    parse: oneOf(cvtMethods),
+    parse: choice<CvtMethod>(rules.method),
     default: tessellationDefaults.method,
     help: 'lbfgs: quasi-Newton, converges faster; lloyd',
   },
@@ -118,25 +124,25 @@ export const options = {
   },
   'energy-tolerance': {
     value: 'SHARE',
-    parse: number(ranges.share),
+    parse: number(rules.energyTolerance),
     default: String(tessellationDefaults.energyTolerance),
     help: 'End when an iteration lowers the energy by no more than this share',
   },
   'move-tolerance': {
     value: 'LENGTH',
-    parse: number(ranges.length),
+    parse: number(rules.moveTolerance),
     default: String(tessellationDefaults.moveTolerance),
     help: 'End when no site moves farther than this',
   },
   layout: {
     value: 'LAYOUT',
-    parse: oneOf(partitionLayouts),
+    parse: choice<PartitionLayout>(oneOf(partitionLayouts)),
     optional: true,
     help: `Of a .glb: regions: a node with a primitive for each; features: one mesh with region ids, EXT_mesh_features (default: ${partitionLayouts[0]})`,
   },
   region: {
     value: 'N',
-    parse: integer(-1, maxCount),
+    parse: number(integers(-1, maxCount)),
     optional: true,
     help: 'Of an .stl: write only one region, by the index of its site; -1: what no site reaches (default: all)',
   },
@@ -147,7 +153,7 @@ export const options = {
   repair: { help: 'Add sites until the dual is valid' },
   'max-added': {
     value: 'N',
-    parse: integer(0, maxCount),
+    parse: number(rules.maxAdded),
     default: String(repairDefaults.maxAdded),
     help: 'How many sites may be added until the dual is valid',
   },
@@ -155,13 +161,13 @@ export const options = {
   primal: { help: 'The regions as polygons, instead of the dual' },
   metric: {
     value: 'METRIC',
-    parse: oneOf(metrics),
+    parse: choice<Metric>(rules.metric),
     default: diagramDefaults.metric,
     help: 'exact: polyhedral distance; dgpc: approximate, quicker',
   },
   detail: {
     value: 'N',
-    parse: integer(0, maxDetail),
+    parse: number(rules.detail),
     default: String(diagramDefaults.detail),
     help: `Split triangles of several regions into parts about 2^N times shorter than the mean edge; at most ${maxDetail}`,
   },
@@ -173,31 +179,31 @@ export const options = {
   },
   'max-edge': {
     value: 'SHARE',
-    parse: number(ranges.share),
+    parse: number(rules.maxEdge),
     default: String(meshDefaults.maxEdge),
     help: "Halve edges longer than this share of the bounding box's diagonal until none is; 0: leave them. Triangles are then numbered anew; sites that a result has for the whole mesh stay where they are",
   },
   weld: {
     value: 'SHARE',
-    parse: number(ranges.share),
+    parse: number(rules.weld),
     default: String(meshDefaults.weld),
     help: "Weld vertices no farther apart than this share of the bounding box's diagonal",
   },
   orientation: {
     value: 'RULE',
-    parse: oneOf(orientations),
+    parse: choice<Orientation>(rules.orientation),
     default: meshDefaults.orientation,
     help: 'unify: turn triangles over to agree with their neighbours; keep: cut the surface where they do not',
   },
   'min-component': {
     value: 'N',
-    parse: integer(0, maxCount),
+    parse: number(rules.minComponent),
     default: String(meshDefaults.minComponent),
     help: 'Drop components of fewer triangles',
   },
   limits: {
     value: 'NAME=N,…',
-    parse: assignments(gltfLimitNames, maxLimit),
+    parse: assignments<GltfLimitName>(oneOf(gltfLimitNames), limitRule),
     default: '',
     help: `Higher limits on the demands of a file: ${listed(gltfLimitNames)}`,
   },

@@ -2,6 +2,8 @@
 //
 // Parses the values of options on the command line.
 
+import type { Rule } from '../base/rules.js';
+
 /** The command line is wrong, not what it names: exit status 2. */
 export class UsageError extends Error {}
 
@@ -14,38 +16,32 @@ export function listed(names: readonly string[]): string {
 
 export const path: Parser<string> = (text) => text;
 
-export function oneOf<Name extends string>(names: readonly Name[]): Parser<Name> {
+/** What a text stands for, if the rule allows that. */
+function ruled<Value>(rule: Rule, read: (text: string) => Value): Parser<Value> {
   return (text, option) => {
-    const name = names.find((known) => known === text);
-    if (name !== undefined) return name;
-    throw new UsageError(`${option} is '${text}', not one of ${listed(names)}`);
+    const value = read(text);
+    if (rule.allows(value)) return value;
+    throw new UsageError(`${option} is '${text}', not ${rule.words}`);
   };
 }
 
-function isNumber(text: string): boolean {
-  return text.trim() !== '' && !Number.isNaN(Number(text));
+export function choice<Name extends string>(rule: Rule): Parser<Name> {
+  return ruled(rule, (text) => text as Name);
 }
 
-export function integer(least: number, most = Number.MAX_SAFE_INTEGER): Parser<number> {
-  return (text, option) => {
-    const value = Number(text);
-    if (isNumber(text) && Number.isInteger(value) && value >= least && value <= most) return value;
-    throw new UsageError(`${option} is '${text}', not an integer from ${least} to ${most}`);
-  };
+export function number(rule: Rule): Parser<number> {
+  return ruled(rule, numberIn);
 }
 
-export function number(range: { name: string; has(value: number): boolean }): Parser<number> {
-  return (text, option) => {
-    const value = Number(text);
-    if (isNumber(text) && range.has(value)) return value;
-    throw new UsageError(`${option} is '${text}', not ${range.name}`);
-  };
+/** NaN for a text that is no number at all. */
+function numberIn(text: string): number {
+  return text.trim() === '' ? NaN : Number(text);
 }
 
 /** A text that is no number at all is the path of a file. */
-export function numberOrPath(least: number, most: number): Parser<number | string> {
-  const number = integer(least, most);
-  return (text, option) => (isNumber(text) ? number(text, option) : text);
+export function numberOrPath(rule: Rule): Parser<number | string> {
+  const parse = number(rule);
+  return (text, option) => (Number.isNaN(numberIn(text)) ? text : parse(text, option));
 }
 
 /** Units per metre. */
@@ -78,11 +74,11 @@ export const lengths: Parser<Lengths> = (text, option) => {
 
 /** Values of some of the names: `name=N,name=N`. */
 export function assignments<Name extends string>(
-  names: readonly Name[],
-  most: number,
+  names: Rule,
+  values: Rule,
 ): Parser<Partial<Record<Name, number>>> {
-  const oneName = oneOf(names);
-  const value = integer(0, most);
+  const oneName = choice<Name>(names);
+  const value = number(values);
   return (text, option) =>
     Object.fromEntries(
       text

@@ -3,8 +3,18 @@
 // Checks the form of what callers pass, and copies it. Whether it makes sense on the surface is
 // checked by the core.
 
-import { isA, isObject, show, toFloat64, toInt32, toInteger, toOneOf } from '../base/checks.js';
-import type { CvtSettings, MeshBuild } from '../engine/engine.js';
+import { isA, isObject, show, toFloat64, toInt32 } from '../base/checks.js';
+import {
+  boolean,
+  integers,
+  length,
+  oneOf,
+  positive,
+  requireAllowed,
+  share,
+  string,
+  type Rule,
+} from '../base/rules.js';
 import type { FileInput } from '../input/read_model.js';
 import { invalidArgument } from '../api/errors.js';
 import {
@@ -13,7 +23,6 @@ import {
   orientations,
   samplings,
   worstRegions,
-  type Metric,
   type Sampling,
   type SurfacePoints,
   type WorstRegion,
@@ -38,8 +47,50 @@ export const maxDetail = 10;
 /** The core counts in 32 bits. */
 export const maxCount = 2 ** 31 - 1;
 
-/** The greatest limit of the glTF reader: its memory has no more bytes than this. */
-export const maxLimit = 2 ** 32 - 1;
+/** The limits of the glTF reader: its memory has no more bytes than this. */
+export const limitRule = integers(0, 2 ** 32 - 1);
+
+const counts = integers(0, maxCount);
+const positiveCounts = integers(1, maxCount);
+
+/** What options and arguments may be, by their names. */
+export const rules = {
+  maxEdge: share,
+  weld: share,
+  orientation: oneOf(orientations),
+  minComponent: counts,
+  metric: oneOf(metrics),
+  detail: integers(0, maxDetail),
+  count: positiveCounts,
+  radius: positive,
+  seed: integers(0, Number.MAX_SAFE_INTEGER),
+  sampling: oneOf([...samplings, ...worstRegions]),
+  perComponent: counts,
+  method: oneOf(cvtMethods),
+  iterations: counts,
+  energyTolerance: share,
+  moveTolerance: length,
+  data: boolean,
+  diagrams: boolean,
+  maxAdded: counts,
+  samples: positiveCounts,
+  leaveOutIndifferent: boolean,
+  leaveOutUnreachable: boolean,
+  primal: boolean,
+  label: counts,
+  worst: oneOf(worstRegions),
+} as const satisfies Record<string, Rule>;
+
+type Unruled<Values> = Exclude<keyof Values, keyof typeof rules>;
+
+/** Options and arguments, each checked by the rule of its name. */
+export function checked<Values extends object>(
+  values: Values & Record<Unruled<Values>, never>,
+): Values {
+  for (const [name, value] of Object.entries(values))
+    requireAllowed(name, value, rules[name as keyof typeof rules]);
+  return values;
+}
 
 export const meshDefaults = {
   limits: {},
@@ -54,16 +105,6 @@ export const diagramDefaults = { metric: metrics[0], detail: 0 } as const;
 
 /** The default of `sampling` depends on whether a radius is given. */
 export const samplingDefaults = { seed: 1, perComponent: 0, density: [] } as const;
-
-/** How the mesh builder makes a mesh. */
-export function toMeshBuild({ maxEdge, weld, orientation, minComponent }: MeshBuild): MeshBuild {
-  return {
-    maxEdge: toRange('maxEdge', maxEdge, 'share'),
-    weld: toRange('weld', weld, 'share'),
-    orientation: toOneOf('orientation', orientation, orientations),
-    minComponent: toInteger('minComponent', minComponent, 0, maxCount),
-  };
-}
 
 /** The triangles of a mesh, or the files to read them from. */
 export function toMeshInput(
@@ -82,8 +123,8 @@ function isMeshArrays(source: MeshSource): source is MeshArrays {
 
 /** The path of the model to open, if one is given. */
 export function toFileName(file: string | undefined): string | undefined {
-  if (file === undefined || typeof file === 'string') return file;
-  throw invalidArgument(`file is ${show(file)}, not a string`);
+  if (file !== undefined) requireAllowed('file', file, string);
+  return file;
 }
 
 function toTriangles(source: MeshArrays): Triangles {
@@ -149,8 +190,8 @@ function toLimits(limits: GltfLimits): GltfLimits {
   if (!isObject(limits)) throw invalidArgument(`limits is ${show(limits)}, not an object`);
   const given = Object.entries(limits).filter(([, most]) => most !== undefined);
   for (const [name, most] of given) {
-    toOneOf('the name of a limit', name, gltfLimitNames);
-    toInteger(`limits.${name}`, most, 0, maxLimit);
+    requireAllowed('the name of a limit', name, oneOf(gltfLimitNames));
+    requireAllowed(`limits.${name}`, most, limitRule);
   }
   return Object.fromEntries(given);
 }
@@ -237,28 +278,8 @@ function toAttribute(name: string, values: ArrayLike<number> = [], expected: num
   );
 }
 
-export function toMetric(metric: Metric): Metric {
-  return toOneOf('metric', metric, metrics);
-}
-
-export function toSampling(sampling: Sampling): Sampling {
-  return toOneOf('sampling', sampling, [...samplings, ...worstRegions]);
-}
-
 export function isWorstFirst(sampling: Sampling): sampling is WorstRegion {
   return worstRegions.some((name) => name === sampling);
-}
-
-export function toWorstRegion(worst: WorstRegion): WorstRegion {
-  return toOneOf('worst', worst, worstRegions);
-}
-
-export function toRadius(radius: number): number {
-  return toRange('radius', radius, 'radius');
-}
-
-export function toPerComponent(perComponent: number): number {
-  return toInteger('perComponent', perComponent, 0, maxCount);
 }
 
 export const tessellationDefaults = {
@@ -285,59 +306,5 @@ export function toDensity(density: Density, attribute: Float64Array): GivenDensi
   return numbers;
 }
 
-/** The core checks whether density and fixed sites fit the mesh and the sites. */
-export function toCvtSettings({
-  method,
-  metric,
-  iterations,
-  energyTolerance,
-  moveTolerance,
-  fixedSites,
-}: Omit<CvtSettings, 'density' | 'fixedSites'> & { fixedSites: ArrayLike<number> }): Omit<
-  CvtSettings,
-  'density'
-> {
-  return {
-    method: toOneOf('method', method, cvtMethods),
-    metric: toMetric(metric),
-    iterations: toInteger('iterations', iterations, 0, maxCount),
-    energyTolerance: toRange('energyTolerance', energyTolerance, 'share'),
-    moveTolerance: toRange('moveTolerance', moveTolerance, 'length'),
-    fixedSites: toInt32('fixedSites', fixedSites),
-  };
-}
-
-/** Ranges of numbers, with how an error names them. */
-export const ranges = {
-  share: { name: 'a number from 0 to 1', has: (x: number) => x >= 0 && x <= 1 },
-  length: { name: 'a number from 0', has: (x: number) => x >= 0 && x < Infinity },
-  radius: { name: 'a positive number', has: (x: number) => x > 0 && x < Infinity },
-} as const;
-
-function toRange(name: string, value: number, range: keyof typeof ranges): number {
-  if (typeof value === 'number' && ranges[range].has(value)) return value;
-  throw invalidArgument(`${name} is ${show(value)}, not ${ranges[range].name}`);
-}
-
 /** The options of a repair unless others are given. */
 export const repairDefaults = { maxAdded: 1000 };
-
-export function toMaxAdded(maxAdded: number): number {
-  return toInteger('maxAdded', maxAdded, 0, maxCount);
-}
-
-export function toDetail(detail: number): number {
-  return toInteger('detail', detail, 0, maxDetail);
-}
-
-export function toCount(count: number): number {
-  return toInteger('count', count, 1, maxCount);
-}
-
-export function toLabel(label: number): number {
-  return toInteger('label', label, 0, maxCount);
-}
-
-export function toSeed(seed: number): number {
-  return toInteger('seed', seed, 0, Number.MAX_SAFE_INTEGER);
-}

@@ -4,19 +4,10 @@
 // the arrays up to date with the changes.
 
 import { appendChange, areLarge, changedData, changedSites } from './change.js';
-import { toBoolean, toInteger, toTask, toTaskOptions } from '../base/checks.js';
+import { toTask, toTaskOptions } from '../base/checks.js';
 import { settled, type DiagramForm, type Engine, type OpenedDiagram } from '../engine/engine.js';
 import { diagramJson, type DiagramJson } from '../output/diagram_formats.js';
-import {
-  maxCount,
-  repairDefaults,
-  toLabel,
-  toMaxAdded,
-  toPoint,
-  toPoints,
-  toWorstRegion,
-  type GivenPoints,
-} from './arguments.js';
+import { checked, repairDefaults, toPoint, toPoints, type GivenPoints } from './arguments.js';
 import { EngineObject } from './engine_object.js';
 import { disposeSymbol, inspectSymbol } from '../base/symbols.js';
 import { regionsOf } from '../base/region.js';
@@ -129,11 +120,11 @@ export class EngineDiagram implements Diagram {
     site: SurfacePointsInput,
     options?: TaskOptions,
   ): Promise<DiagramChange> {
-    return this.#change('moveSite', [toLabel(label)], toPoint('site', site), options);
+    return this.#change('moveSite', [checked({ label }).label], toPoint('site', site), options);
   }
 
   async removeSite(label: number, options?: TaskOptions): Promise<DiagramChange> {
-    return this.#change('removeSite', [toLabel(label)], undefined, options);
+    return this.#change('removeSite', [checked({ label }).label], undefined, options);
   }
 
   /**
@@ -199,17 +190,17 @@ export class EngineDiagram implements Diagram {
 
   async accuracy(options?: AccuracyOptions): Promise<DiagramAccuracy> {
     const { samples, ...task } = toTaskOptions(options, { samples: 1000 });
-    const count = toInteger('samples', samples, 1, maxCount);
+    checked({ samples });
     const { mislabelled, maxEdge } = await this.#ask<DiagramAccuracy>(
       'diagramAccuracy',
-      [count],
+      [samples],
       task,
     );
     return { mislabelled, maxEdge: Number(maxEdge.toPrecision(1)) };
   }
 
   async worstRegionPoint(worst: WorstRegion, options?: TaskOptions): Promise<SurfacePoints> {
-    return this.#ask('worstRegionPoint', [toWorstRegion(worst)], toTask(options));
+    return this.#ask('worstRegionPoint', [checked({ worst }).worst], toTask(options));
   }
 
   async path(point: SurfacePointsInput, options?: TaskOptions): Promise<SurfacePath> {
@@ -221,16 +212,13 @@ export class EngineDiagram implements Diagram {
       leaveOutIndifferent: false,
       leaveOutUnreachable: false,
     });
-    const args = [
-      toBoolean('leaveOutIndifferent', leaveOutIndifferent),
-      toBoolean('leaveOutUnreachable', leaveOutUnreachable),
-    ];
-    return this.#ask('partition', args, task);
+    checked({ leaveOutIndifferent, leaveOutUnreachable });
+    return this.#ask('partition', [leaveOutIndifferent, leaveOutUnreachable], task);
   }
 
   async dual(options?: DualOptions): Promise<PolygonMesh> {
     const { primal, ...task } = toTaskOptions(options, { primal: false });
-    return this.#ask('dual', [toBoolean('primal', primal)], task);
+    return this.#ask('dual', [checked({ primal }).primal], task);
   }
 
   async dualPaths(options?: TaskOptions): Promise<DualPaths> {
@@ -261,13 +249,13 @@ export class EngineDiagram implements Diagram {
 
   async repair(options?: RepairOptions): Promise<Diagram> {
     const { maxAdded, ...task } = toTaskOptions(options, repairDefaults);
-    const most = toMaxAdded(maxAdded);
+    checked({ maxAdded });
     const shareOfSites = 0.9; // the rest is their diagram
     const sites = await this.#inTurn(task, async () => {
       const violations = await this.#violations({ signal: task.signal });
       if (violations.length === 0) return undefined;
       const finding = partOf(task, 0, shareOfSites);
-      return this.#object.call<SurfacePoints>('repairedSites', [most], finding);
+      return this.#object.call<SurfacePoints>('repairedSites', [maxAdded], finding);
     });
     if (sites) return this.#anew(sites, partOf(task, shareOfSites, 1));
     task.onProgress?.(1);

@@ -5,7 +5,7 @@
 
 import { toTaskOptions } from '../base/checks.js';
 import type { Engine } from '../engine/engine.js';
-import { meshDefaults, toMeshBuild, toMeshInput } from './arguments.js';
+import { checked, meshDefaults, toMeshInput } from './arguments.js';
 import { disposeSymbol } from '../base/symbols.js';
 import { EngineMesh } from './mesh.js';
 import type { Triangles } from '../base/triangles.js';
@@ -31,7 +31,7 @@ export class Library implements GeodesicVoronoi {
   async mesh(source: MeshSource, options?: MeshOptions): Promise<Mesh> {
     const { limits, file, onProgress, signal, ...build } = toTaskOptions(options, meshDefaults);
     const input = toMeshInput(source, { limits, file });
-    const opened = await this.#engine.openMesh(input, toMeshBuild(build), { onProgress, signal });
+    const opened = await this.#engine.openMesh(input, checked(build), { onProgress, signal });
     return new EngineMesh(this.#engine, opened, opened.triangles ?? (input as Triangles));
   }
 

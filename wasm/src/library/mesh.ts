@@ -2,7 +2,7 @@
 //
 // A mesh as callers hold it: it checks what it is given, and leaves the work to an engine.
 
-import { isObject, show, toBoolean, toOptions, toTask, toTaskOptions } from '../base/checks.js';
+import { isObject, show, toInt32, toOptions, toTask, toTaskOptions } from '../base/checks.js';
 import { EngineDiagram } from './diagram.js';
 import {
   cvtArguments,
@@ -14,25 +14,17 @@ import {
 } from '../engine/engine.js';
 import { GeodesicVoronoiError, invalidArgument } from '../api/errors.js';
 import {
+  checked,
   diagramDefaults,
   isWorstFirst,
   maxCount,
   repairDefaults,
   samplingDefaults,
   tessellationDefaults,
-  toCount,
-  toCvtSettings,
   toDensity,
-  toDetail,
-  toMaxAdded,
-  toMetric,
-  toPerComponent,
   toPlaces,
   toPoint,
   toPoints,
-  toRadius,
-  toSampling,
-  toSeed,
   type GivenDensity,
   type GivenPoints,
 } from './arguments.js';
@@ -116,29 +108,29 @@ export class EngineMesh implements Mesh {
       ...samplingDefaults,
       sampling: byRadius ? 'farthest' : 'random',
     });
-    const least = toPerComponent(perComponent);
-    const method = toSampling(sampling);
-    toSeed(seed);
+    checked({ seed, sampling, perComponent });
     const given = toDensity(density, this.density);
-    if (byRadius && method !== 'farthest' && method !== 'poisson')
-      throw invalidArgument(`the sampling ${show(method)} takes a number of sites, not a radius`);
-    if ((given === 'curvature' || given.length > 0) && method !== 'random')
-      throw invalidArgument(`a density is for random sites, not for the sampling ${show(method)}`);
-    const radius = byRadius && toRadius(toOptions(wanted, { radius: NaN }).radius);
-    const count = byRadius ? maxCount : toCount(wanted);
-    const ofSampling = least === 0 ? task : partOf(task, 0, samplingShare);
+    if (byRadius && sampling !== 'farthest' && sampling !== 'poisson')
+      throw invalidArgument(`the sampling ${show(sampling)} takes a number of sites, not a radius`);
+    if ((given === 'curvature' || given.length > 0) && sampling !== 'random')
+      throw invalidArgument(
+        `a density is for random sites, not for the sampling ${show(sampling)}`,
+      );
+    const radius = byRadius && checked(toOptions(wanted, { radius: NaN })).radius;
+    const count = byRadius ? maxCount : checked({ count: wanted }).count;
+    const ofSampling = perComponent === 0 ? task : partOf(task, 0, samplingShare);
     const sample = async (): Promise<SurfacePoints> => {
       if (radius)
-        return this.#object.call('sampleSitesByRadius', [radius, method, seed], ofSampling);
-      if (isWorstFirst(method))
-        return this.#object.call('sampleSitesWorstFirst', [count, method, seed], ofSampling);
+        return this.#object.call('sampleSitesByRadius', [radius, sampling, seed], ofSampling);
+      if (isWorstFirst(sampling))
+        return this.#object.call('sampleSitesWorstFirst', [count, sampling, seed], ofSampling);
       const weights = await this.#densityOf(given, task.signal);
-      return this.#object.call('sampleSites', [count, method, seed, weights], ofSampling);
+      return this.#object.call('sampleSites', [count, sampling, seed, weights], ofSampling);
     };
     const { face, bary } = await sample();
-    if (least === 0) return { face, bary };
+    if (perComponent === 0) return { face, bary };
     const covering = partOf(task, samplingShare, 1);
-    return this.#object.call('coverComponents', [face, bary, least, count, seed], covering);
+    return this.#object.call('coverComponents', [face, bary, perComponent, count, seed], covering);
   }
 
   async bareComponents(sites: SurfacePointsInput, options?: TaskOptions): Promise<BareComponents> {
@@ -199,7 +191,7 @@ export class EngineMesh implements Mesh {
 
   async voronoi(sites: SurfacePointsInput, options?: VoronoiOptions): Promise<Diagram> {
     const { metric, detail, ...task } = toTaskOptions(options, diagramDefaults);
-    const form = { metric: toMetric(metric), detail: toDetail(detail) };
+    const form = checked({ metric, detail });
     const points = await this.#object.onSurface(toPoints('sites', sites), task);
     const { engine } = this.#object;
     const opened = await this.#object.ask((handle) =>
@@ -210,7 +202,7 @@ export class EngineMesh implements Mesh {
 
   async distances(sites: SurfacePointsInput, options?: DistancesOptions): Promise<Distances> {
     const { metric, ...task } = toTaskOptions(options, { metric: diagramDefaults.metric });
-    toMetric(metric);
+    checked({ metric });
     const points = await this.#object.onSurface(toPoints('sites', sites), task);
     const { face, bary } = points;
     const args = [face, bary, metric];
@@ -250,17 +242,19 @@ export class EngineMesh implements Mesh {
     sites: SurfacePointsInput,
     options: CvtOptions | undefined,
   ): Promise<Tessellation> {
-    const { data, diagrams, density, signal, onProgress, ...others } = toTaskOptions(options, {
+    const { data, diagrams, density, fixedSites, ...rest } = toTaskOptions(options, {
       ...tessellationDefaults,
       data: false,
       diagrams: false,
     });
-    const withData = toBoolean('data', data);
+    const { signal, onProgress, ...settings } = rest;
+    checked({ data, diagrams });
     return {
       sites: toPoints('sites', sites),
-      ...toCvtSettings(others),
+      ...checked(settings),
+      fixedSites: toInt32('fixedSites', fixedSites),
       density: toDensity(density, this.density),
-      form: toBoolean('diagrams', diagrams) ? 'diagram' : withData ? 'data' : 'bare',
+      form: diagrams ? 'diagram' : data ? 'data' : 'bare',
       signal,
       onProgress,
     };
@@ -289,20 +283,23 @@ export class EngineMesh implements Mesh {
   }
 
   async remesh(sites: SurfacePointsInput, options?: RemeshOptions): Promise<Diagram> {
-    const { maxAdded, density, signal, onProgress, ...others } = toTaskOptions(options, {
-      ...tessellationDefaults,
-      ...repairDefaults,
-    });
+    const { maxAdded, density, fixedSites, signal, onProgress, ...others } = toTaskOptions(
+      options,
+      {
+        ...tessellationDefaults,
+        ...repairDefaults,
+      },
+    );
     const task = { signal, onProgress };
-    const most = toMaxAdded(maxAdded);
-    const settings = toCvtSettings(others);
+    checked({ maxAdded });
+    const settings = { ...checked(others), fixedSites: toInt32('fixedSites', fixedSites) };
     const [given, list] = [toDensity(density, this.density), toPoints('sites', sites)];
     const perVertex = await this.#densityOf(given, signal);
     const { face, bary } = await this.#object.onSurface(list, task);
     const shareOfSites = 0.95; // the rest is the diagram
     const remeshed = await this.#object.call<SurfacePoints>(
       'remeshedSites',
-      [face, bary, ...cvtArguments({ ...settings, density: perVertex }), most],
+      [face, bary, ...cvtArguments({ ...settings, density: perVertex }), maxAdded],
       partOf(task, 0, shareOfSites),
     );
     return this.voronoi(remeshed, { metric: settings.metric, ...partOf(task, shareOfSites, 1) });

@@ -3,14 +3,8 @@
 // Options of the functions that write files: how a result is written, and the mesh that some formats
 // need besides.
 
-import {
-  isObject,
-  show,
-  toOptions,
-  toResult,
-  type Complete,
-  type DefaultsOf,
-} from '../base/checks.js';
+import { isObject, toOptions, toResult, type Complete, type DefaultsOf } from '../base/checks.js';
+import { positive, requireAllowed, string } from '../base/rules.js';
 import { invalidArgument } from '../api/errors.js';
 import type { Mesh } from '../api/types.js';
 
@@ -50,10 +44,8 @@ export function toFileOptions<
     unit?: string;
     mesh?: AttributeSource;
   };
-  if (!(Number.isFinite(all.scale) && all.scale > 0))
-    throw invalidArgument(`scale is ${show(all.scale)}, not a positive number`);
-  if (all.unit !== undefined && typeof all.unit !== 'string')
-    throw invalidArgument(`unit is ${show(all.unit)}, not a string`);
+  requireAllowed('scale', all.scale, positive);
+  if (all.unit !== undefined) requireAllowed('unit', all.unit, string);
   if (all.mesh !== undefined) toAttributeSource(all.mesh);
   return all as unknown as Complete<Options, Defaults> & { scale: number };
 }

@@ -3,7 +3,8 @@
 // A partition as a file.
 
 import { joinedVertices, partitionVertices, type TriangleRun } from './vertex_attributes.js';
-import { toColours, toInteger, toOneOf, toResult } from '../base/checks.js';
+import { toColours, toResult } from '../base/checks.js';
+import { integers, oneOf, requireAllowed } from '../base/rules.js';
 import {
   toFileOptions,
   type FileOptions,
@@ -133,7 +134,7 @@ export function partitionGlb(
     layout: 'regions',
     colours: undefined,
   });
-  toOneOf('layout', layout, partitionLayouts);
+  requireAllowed('layout', layout, oneOf(partitionLayouts));
   if (form.colours !== undefined) toColours('colours', form.colours);
   if (partition.triangles.label.length === 0) return emptyGlb();
   return layout === 'regions' ? regionsGlb(partition, form) : featuresGlb(partition, form);
@@ -281,7 +282,7 @@ export function partitionStl(
 ): Uint8Array<ArrayBuffer> {
   const { points, triangles, regions } = toPartition(partition);
   const { region, scale } = toFileOptions(options, { region: undefined });
-  if (region !== undefined) toInteger('region', region, -1, regions.area.length - 1);
+  if (region !== undefined) requireAllowed('region', region, integers(-1, regions.area.length - 1));
   const part =
     region === undefined
       ? allOf(partition)
