@@ -9,14 +9,16 @@ import type { CvtOptions } from '../api/options.js';
 import type { CvtState, Diagram, Mesh } from '../api/types.js';
 import { noteCoarseTessellation, openDiagram } from './diagrams.js';
 import {
+  diagramEncoders,
+  distancesEncoders,
+  encoderOf,
   isJsonReport,
-  toDiagramEncoder,
-  toDistancesEncoder,
-  toLocatedEncoder,
-  toPartitionEncoder,
-  toPathsEncoder,
-  toPolygonEncoder,
-  toSitesEncoder,
+  locatedEncoders,
+  partitionEncoders,
+  pathsEncoders,
+  polygonEncoders,
+  requireOwnFormat,
+  sitesEncoders,
 } from './encoders.js';
 import { fail } from './failure.js';
 import { FileError, Output } from './files.js';
@@ -25,7 +27,6 @@ import type { CommandName, Invocation, Values } from './options.js';
 import { pathsBetween } from './paths.js';
 import { readNumbers, readPoints } from './points.js';
 import {
-  type Notices,
   lengthsOf,
   meshNotes,
   onSurface,
@@ -38,33 +39,26 @@ import type { Lengths } from './values.js';
 
 type Request<Command extends CommandName> = Extract<Invocation, { command: Command }>;
 
-export function execute(invocation: Invocation): Promise<void> {
-  switch (invocation.command) {
-    case 'info':
-      return info(invocation);
-    case 'diagram':
-      return diagram(invocation);
-    case 'locate':
-      return locate(invocation);
-    case 'distances':
-      return distances(invocation);
-    case 'path':
-      return path(invocation);
-    case 'cvt':
-      return cvt(invocation);
-    case 'partition':
-      return partition(invocation);
-    case 'dual':
-      return dual(invocation);
-    case 'remesh':
-      return remesh(invocation);
-  }
+const commands: { [Name in CommandName]: (request: Request<Name>) => Promise<void> } = {
+  info,
+  diagram,
+  locate,
+  distances,
+  path,
+  cvt,
+  partition,
+  dual,
+  remesh,
+};
+
+export function execute<Name extends CommandName>(request: Request<Name>): Promise<void> {
+  return commands[request.command](request);
 }
 
 /** A mesh that fails does not keep the others from being reported, unless the report would replace it. */
 async function info({ meshes, values }: Request<'info'>): Promise<void> {
   const isJson = isJsonReport(values);
-  const output = await Output.open(values.output);
+  const output = await Output.open(values);
   const isOnly = meshes.length === 1;
   const reports: string[] = [];
   const list: object[] = [];
@@ -108,15 +102,13 @@ async function factsOf(
 }
 
 async function diagram({ mesh: path, values }: Request<'diagram'>): Promise<void> {
-  const encode = toDiagramEncoder(values);
-  const output = await Output.open(values.output);
+  const encode = encoderOf(diagramEncoders, values);
+  const output = await Output.open(values);
   const { mesh, diagram } = await openDiagram(path, output, values);
   await output.write(encode(diagram, lengthsOf(mesh, values)));
 
   const { arcs, voronoiPoints } = diagram.data;
-  summarise(
-    output,
-    values,
+  output.summarise(
     [
       counted(diagram.regions.length, 'region'),
       counted(arcs.offset.length - 1, 'bisector arc'),
@@ -126,8 +118,8 @@ async function diagram({ mesh: path, values }: Request<'diagram'>): Promise<void
 }
 
 async function locate({ mesh: path, values }: Request<'locate'>): Promise<void> {
-  const encode = toLocatedEncoder(values);
-  const output = await Output.open(values.output);
+  const encode = encoderOf(locatedEncoders, values);
+  const output = await Output.open(values);
   const points = await readPoints(values.points);
   const { mesh, diagram } = await openDiagram(path, output, values);
   const located = await diagram.locate(await onSurface(mesh, points, values));
@@ -136,8 +128,8 @@ async function locate({ mesh: path, values }: Request<'locate'>): Promise<void> 
 
 async function distances({ mesh: path, values }: Request<'distances'>): Promise<void> {
   const { scale } = values.units;
-  const encode = toDistancesEncoder(values);
-  const output = await Output.open(values.output);
+  const encode = encoderOf(distancesEncoders, values);
+  const output = await Output.open(values);
   const { mesh, sites } = await openWithSites(path, output, values);
   const { metric } = values;
   const distances = await withProgress(values, (onProgress) =>
@@ -146,9 +138,7 @@ async function distances({ mesh: path, values }: Request<'distances'>): Promise<
   await output.write(encode({ mesh, distances }, lengthsOf(mesh, values)));
   const reached = distances.distance.filter((d) => d < Infinity);
   const farthest = reached.reduce((most, d) => Math.max(most, d), 0);
-  summarise(
-    output,
-    values,
+  output.summarise(
     `${integer(reached.length)} of ${counted(distances.label.length, 'vertex', 'vertices')} reached, ` +
       `the farthest at ${(scale * farthest).toPrecision(6)}`,
   );
@@ -156,8 +146,8 @@ async function distances({ mesh: path, values }: Request<'distances'>): Promise<
 
 async function path({ mesh: model, values }: Request<'path'>): Promise<void> {
   const { scale } = values.units;
-  const encode = toPathsEncoder(values);
-  const output = await Output.open(values.output);
+  const encode = encoderOf(pathsEncoders, values);
+  const output = await Output.open(values);
   const [from, to] = [await readPoints(values.from), await readPoints(values.to)];
   const mesh = await openMesh(model, output, values);
   writeNotes(meshNotes(mesh), values);
@@ -176,9 +166,7 @@ async function path({ mesh: model, values }: Request<'path'>): Promise<void> {
   if (lengths.length === 0) return;
   const shortest = lengths.reduce((least, length) => Math.min(least, length));
   const longest = lengths.reduce((most, length) => Math.max(most, length));
-  summarise(
-    output,
-    values,
+  output.summarise(
     `${counted(lengths.length, 'path')}, of length ` +
       [...new Set([shortest, longest])].map((length) => length.toPrecision(6)).join(' to '),
   );
@@ -186,8 +174,8 @@ async function path({ mesh: model, values }: Request<'path'>): Promise<void> {
 
 async function cvt({ mesh: path, values }: Request<'cvt'>): Promise<void> {
   const { scale } = values.units;
-  const encode = toSitesEncoder(values);
-  const output = await Output.open(values.output);
+  const encode = encoderOf(sitesEncoders, values);
+  const output = await Output.open(values);
   const settings = await cvtSettings(values);
   const { mesh, sites } = await openWithSites(path, output, values, {
     density: settings.density,
@@ -205,9 +193,7 @@ async function cvt({ mesh: path, values }: Request<'cvt'>): Promise<void> {
   const position = await mesh.positionsOf(last);
   await output.write(encode({ mesh, sites: last, position, energy }, lengthsOf(mesh, values)));
   const shown = (e: number) => (scale ** 4 * e).toPrecision(6); // area times squared length
-  summarise(
-    output,
-    values,
+  output.summarise(
     `${counted(last.face.length, 'site')}, ${counted(iteration, 'iteration')}` +
       `${iteration > 0 && iteration === values.iterations ? ' (no more were allowed)' : ''}, ` +
       `energy ${shown(energy[0])} to ${shown(energy.at(-1)!)}`,
@@ -215,21 +201,22 @@ async function cvt({ mesh: path, values }: Request<'cvt'>): Promise<void> {
 }
 
 async function partition({ mesh: path, values }: Request<'partition'>): Promise<void> {
-  const encode = toPartitionEncoder(values);
-  const output = await Output.open(values.output);
+  requireOwnFormat(values);
+  const encode = encoderOf(partitionEncoders, values);
+  const output = await Output.open(values);
   const { mesh, diagram } = await openDiagram(path, output, values);
   const partition = await diagram.partition({
     leaveOutIndifferent: values['leave-out-indifferent'],
     leaveOutUnreachable: values['leave-out-unreachable'],
   });
-  await output.write(encode({ mesh, sites: diagram.sites, partition }, lengthsOf(mesh, values)));
+  const { sites } = diagram;
+  const { layout, region } = values;
+  await output.write(encode({ mesh, sites, partition, layout, region }, lengthsOf(mesh, values)));
   const { components, loops, eulerCharacteristic } = partition.regions;
   const disks = components.filter(
     (count, i) => count === 1 && loops[i] === 1 && eulerCharacteristic[i] === 1,
   );
-  summarise(
-    output,
-    values,
+  output.summarise(
     `${counted(diagram.regions.length, 'region')}, ${integer(disks.length)} of them ` +
       `${disks.length === 1 ? 'a disk' : 'disks'}, ` +
       counted(partition.triangles.label.length, 'triangle'),
@@ -237,8 +224,8 @@ async function partition({ mesh: path, values }: Request<'partition'>): Promise<
 }
 
 async function dual({ mesh: path, values }: Request<'dual'>): Promise<void> {
-  const encode = toPolygonEncoder(values);
-  const output = await Output.open(values.output);
+  const encode = encoderOf(polygonEncoders, values);
+  const output = await Output.open(values);
   const { repair: addsSites } = values;
   const { mesh, diagram: given } = await openDiagram(path, output, values, { addsSites });
   const diagram = values.repair
@@ -252,7 +239,7 @@ async function dual({ mesh: path, values }: Request<'dual'>): Promise<void> {
   await output.write(
     encode({ mesh, sites: diagram.sites, polygons, violations }, lengthsOf(mesh, values)),
   );
-  summarise(output, values, polygonSummary(given.sites.face.length, diagram, polygons));
+  output.summarise(polygonSummary(given.sites.face.length, diagram, polygons));
   if (violations.length === 0) return;
   if (values.quiet) {
     process.stderr.write(`warning: ${faultsOf(violations)}\n`);
@@ -273,8 +260,8 @@ function faultsOf([first, ...more]: Violation[]): string {
 
 async function remesh({ mesh: path, values }: Request<'remesh'>): Promise<void> {
   const { scale } = values.units;
-  const encode = toPolygonEncoder(values);
-  const output = await Output.open(values.output);
+  const encode = encoderOf(polygonEncoders, values);
+  const output = await Output.open(values);
   const settings = await cvtSettings(values);
   const { mesh, sites } = await openWithSites(path, output, values, {
     density: settings.density,
@@ -293,9 +280,7 @@ async function remesh({ mesh: path, values }: Request<'remesh'>): Promise<void> 
     encode({ mesh, sites: diagram.sites, polygons, quality }, lengthsOf(mesh, values)),
   );
   const number = (x: number) => String(Number(x.toPrecision(4)));
-  summarise(
-    output,
-    values,
+  output.summarise(
     `${polygonSummary(first, diagram, polygons)}\n` +
       `${counted(quality.triangles, 'triangle')}: least angle ${number(quality.minAngle)}°, ` +
       `mean of the least ones ${number(quality.meanMinAngle)}°; ` +
@@ -355,9 +340,4 @@ function polygonSummary(first: number, diagram: Diagram, { topology }: PolygonMe
       ? `Euler characteristic ${eulerCharacteristic}, genus ${genus}, ${counted(boundaryLoops, 'boundary loop')}`
       : 'no manifold')
   );
-}
-
-/** A line about a result that went to a file. */
-function summarise(output: Output, { quiet }: Notices, line: string): void {
-  if (output.isFile && !quiet) process.stderr.write(`${line}\n`);
 }

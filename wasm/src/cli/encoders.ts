@@ -47,7 +47,7 @@ type Target = Pick<Values, 'output' | 'json'> & Partial<Pick<Values<'diagram'>, 
 /** Makes a file of a result. */
 type Encoder<Result> = (result: Result, lengths: Lengths) => string | Uint8Array;
 /** By the endings of files. */
-type Encoders<Result> = Record<string, Encoder<Result>>;
+type Encoders<Result> = Readonly<Record<string, Encoder<Result>>>;
 
 /**
  * The ending of files of the format: of the one that is asked for, or else of the output's own; of
@@ -60,7 +60,8 @@ function endingOf({ output, json, format }: Target): string {
   return json || output === standard ? '.json' : extname(output).toLowerCase() || '.json';
 }
 
-function encoderOf<Result>(encoders: Encoders<Result>, target: Target): Encoder<Result> {
+/** The one of the encoders that makes the format that is asked for. */
+export function encoderOf<Result>(encoders: Encoders<Result>, target: Target): Encoder<Result> {
   const ending = endingOf(target);
   if (Object.hasOwn(encoders, ending)) return encoders[ending];
   const known = Object.keys(encoders);
@@ -103,23 +104,18 @@ const ofMesh = ({ info }: Mesh) => ({ mesh: { faces: info.inputFaces } });
 
 type LocatedResult = Located & { mesh: Mesh };
 
-export function toLocatedEncoder(target: Target): Encoder<LocatedResult> {
-  return encoderOf(
-    {
-      '.json': ({ mesh, label, distance }, lengths) =>
-        text({
-          ...ofMesh(mesh),
-          ...lengthsJson(lengths),
-          label: Array.from(label),
-          // JSON has no infinity: what no site reaches is null.
-          distance: Array.from(distance, (d) => (d === Infinity ? null : lengths.scale * d)),
-        }),
-      '.csv': ({ label, distance }, { scale }) =>
-        csv({ label, distance: distance.map((d) => scale * d) }),
-    },
-    target,
-  );
-}
+export const locatedEncoders: Encoders<LocatedResult> = {
+  '.json': ({ mesh, label, distance }, lengths) =>
+    text({
+      ...ofMesh(mesh),
+      ...lengthsJson(lengths),
+      label: Array.from(label),
+      // JSON has no infinity: what no site reaches is null.
+      distance: Array.from(distance, (d) => (d === Infinity ? null : lengths.scale * d)),
+    }),
+  '.csv': ({ label, distance }, { scale }) =>
+    csv({ label, distance: distance.map((d) => scale * d) }),
+};
 
 function sitesPly(position: Float64Array): Uint8Array {
   const columns: PlyColumns = { names: ['x', 'y', 'z'], type: 'double', values: position };
@@ -135,77 +131,67 @@ interface SitesResult {
   energy: number[];
 }
 
-export function toSitesEncoder(target: Target): Encoder<SitesResult> {
-  return encoderOf(
-    {
-      '.json': ({ mesh, sites, position, energy }, lengths) =>
-        text({
-          ...ofMesh(mesh),
-          ...lengthsJson(lengths),
-          ...placedPointsJson({ ...sites, position }, lengths.scale),
-          energy: energy.map((e) => lengths.scale ** 4 * e), // area times squared length
-        }),
-      // In the model's own unit, as `--sites` reads them.
-      '.ply': ({ position }) => sitesPly(position),
-      '.csv': ({ position }) => {
-        const [x, y, z] = [0, 1, 2].map((k) => column(position, 3, k));
-        return csv({ x, y, z });
-      },
-    },
-    target,
-  );
-}
+export const sitesEncoders: Encoders<SitesResult> = {
+  '.json': ({ mesh, sites, position, energy }, lengths) =>
+    text({
+      ...ofMesh(mesh),
+      ...lengthsJson(lengths),
+      ...placedPointsJson({ ...sites, position }, lengths.scale),
+      energy: energy.map((e) => lengths.scale ** 4 * e), // area times squared length
+    }),
+  // In the model's own unit, as `--sites` reads them.
+  '.ply': ({ position }) => sitesPly(position),
+  '.csv': ({ position }) => {
+    const [x, y, z] = [0, 1, 2].map((k) => column(position, 3, k));
+    return csv({ x, y, z });
+  },
+};
 
-export function toDiagramEncoder(target: Target): Encoder<Diagram> {
-  return encoderOf(
-    {
-      '.json': (diagram, lengths) => text(diagramJson(diagram, lengths)),
-      '.obj': ({ data }, { scale }) => diagramObj(data, { scale }),
-      '.glb': ({ data }, { scale }) => diagramGlb(data, { scale }),
-    },
-    target,
-  );
-}
+export const diagramEncoders: Encoders<Diagram> = {
+  '.json': (diagram, lengths) => text(diagramJson(diagram, lengths)),
+  '.obj': ({ data }, { scale }) => diagramObj(data, { scale }),
+  '.glb': ({ data }, { scale }) => diagramGlb(data, { scale }),
+};
 
 interface DistancesResult {
   mesh: Mesh;
   distances: Distances;
 }
 
-export function toDistancesEncoder(target: Target): Encoder<DistancesResult> {
-  return encoderOf(
-    {
-      '.json': ({ mesh, distances }, lengths) =>
-        text({ ...ofMesh(mesh), ...distancesJson(distances, lengths) }),
-      '.csv': ({ distances: { label, distance, direction } }, { scale }) =>
-        csv({
-          label,
-          distance: distance.map((d) => scale * d),
-          direction_x: column(direction, 2, 0),
-          direction_y: column(direction, 2, 1),
-        }),
-      '.ply': ({ mesh, distances }, { scale }) => distancesPly(distances, { mesh, scale }),
-      '.glb': ({ mesh, distances }, { scale }) => distancesGlb(distances, { mesh, scale }),
-    },
-    target,
-  );
-}
+export const distancesEncoders: Encoders<DistancesResult> = {
+  '.json': ({ mesh, distances }, lengths) =>
+    text({ ...ofMesh(mesh), ...distancesJson(distances, lengths) }),
+  '.csv': ({ distances: { label, distance, direction } }, { scale }) =>
+    csv({
+      label,
+      distance: distance.map((d) => scale * d),
+      direction_x: column(direction, 2, 0),
+      direction_y: column(direction, 2, 1),
+    }),
+  '.ply': ({ mesh, distances }, { scale }) => distancesPly(distances, { mesh, scale }),
+  '.glb': ({ mesh, distances }, { scale }) => distancesGlb(distances, { mesh, scale }),
+};
 
-export function toPathsEncoder(target: Target): Encoder<SurfacePath[]> {
-  return encoderOf(
-    {
-      '.json': (paths, lengths) => text(pathsJson(paths, lengths)),
-      '.obj': (paths, { scale }) => pathsObj(paths, { scale }),
-    },
-    target,
-  );
-}
+export const pathsEncoders: Encoders<SurfacePath[]> = {
+  '.json': (paths, lengths) => text(pathsJson(paths, lengths)),
+  '.obj': (paths, { scale }) => pathsObj(paths, { scale }),
+};
 
-interface PartitionResult {
+interface PartitionResult extends Pick<Values<'partition'>, 'layout' | 'region'> {
   mesh: Mesh;
   sites: SurfacePoints;
   partition: Partition;
 }
+
+export const partitionEncoders: Encoders<PartitionResult> = {
+  '.json': ({ mesh, partition, sites }, lengths) =>
+    text({ ...ofMesh(mesh), ...partitionJson(partition, { sites, ...lengths }) }),
+  '.glb': ({ partition, mesh, layout }, { scale }) =>
+    partitionGlb(partition, { layout, mesh, scale }),
+  '.obj': ({ partition, mesh }, { scale }) => partitionObj(partition, { mesh, scale }),
+  '.ply': ({ partition, mesh }, { scale }) => partitionPly(partition, { mesh, scale }),
+  '.stl': ({ partition, region }, { scale }) => partitionStl(partition, { region, scale }),
+};
 
 /** Options about the files of one ending. */
 const ofOneFormat = [
@@ -213,24 +199,14 @@ const ofOneFormat = [
   ['region', '.stl'],
 ] as const;
 
-export function toPartitionEncoder(target: Values<'partition'>): Encoder<PartitionResult> {
-  const { layout, region, output, json, format } = target;
+/** Refuses options that are not about the files of the format that is asked for. */
+export function requireOwnFormat(target: Values<'partition'>): void {
   for (const [option, ending] of ofOneFormat) {
     if (target[option] === undefined || endingOf(target) === ending) continue;
+    const { format, json, output } = target;
     const other = format !== undefined ? `--format ${format}` : json ? '--json' : `'${output}'`;
     throw new UsageError(`--${option} is about ${ending} files: ${other} has none`);
   }
-  return encoderOf(
-    {
-      '.json': ({ mesh, partition, sites }, lengths) =>
-        text({ ...ofMesh(mesh), ...partitionJson(partition, { sites, ...lengths }) }),
-      '.glb': ({ partition, mesh }, { scale }) => partitionGlb(partition, { layout, mesh, scale }),
-      '.obj': ({ partition, mesh }, { scale }) => partitionObj(partition, { mesh, scale }),
-      '.ply': ({ partition, mesh }, { scale }) => partitionPly(partition, { mesh, scale }),
-      '.stl': ({ partition }, { scale }) => partitionStl(partition, { region, scale }),
-    },
-    target,
-  );
 }
 
 interface PolygonResult {
@@ -241,22 +217,17 @@ interface PolygonResult {
   quality?: RemeshQuality;
 }
 
-export function toPolygonEncoder(target: Target): Encoder<PolygonResult> {
-  return encoderOf(
-    {
-      '.json': ({ mesh, sites, polygons, violations, quality }, lengths) =>
-        text({
-          ...ofMesh(mesh),
-          sites: pointsJson(sites),
-          ...polygonJson(polygons, lengths),
-          ...(violations && { violations }),
-          ...(quality && { quality: { ...quality, hausdorff: lengths.scale * quality.hausdorff } }),
-        }),
-      '.obj': ({ polygons, mesh }, { scale }) => polygonObj(polygons, { mesh, scale }),
-      '.ply': ({ polygons, mesh }, { scale }) => polygonPly(polygons, { mesh, scale }),
-      '.stl': ({ polygons }, { scale }) => polygonStl(polygons, { scale }),
-      '.glb': ({ polygons, mesh }, { scale }) => polygonGlb(polygons, { mesh, scale }),
-    },
-    target,
-  );
-}
+export const polygonEncoders: Encoders<PolygonResult> = {
+  '.json': ({ mesh, sites, polygons, violations, quality }, lengths) =>
+    text({
+      ...ofMesh(mesh),
+      sites: pointsJson(sites),
+      ...polygonJson(polygons, lengths),
+      ...(violations && { violations }),
+      ...(quality && { quality: { ...quality, hausdorff: lengths.scale * quality.hausdorff } }),
+    }),
+  '.obj': ({ polygons, mesh }, { scale }) => polygonObj(polygons, { mesh, scale }),
+  '.ply': ({ polygons, mesh }, { scale }) => polygonPly(polygons, { mesh, scale }),
+  '.stl': ({ polygons }, { scale }) => polygonStl(polygons, { scale }),
+  '.glb': ({ polygons, mesh }, { scale }) => polygonGlb(polygons, { mesh, scale }),
+};

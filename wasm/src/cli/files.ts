@@ -21,7 +21,7 @@ import type { Readable } from 'node:stream';
 import { gltfResourceUris } from '../input/gltf_document.js';
 import { placeOf } from '../input/model_files.js';
 import type { ModelFile, ModelFiles } from '../api/options.js';
-import { standard } from './options.js';
+import { standard, type Values } from './options.js';
 
 /** A file cannot be read or written: exit status 1. */
 export class FileError extends Error {}
@@ -163,26 +163,29 @@ async function readFileAt(path: string): Promise<Uint8Array> {
 /** Where a result goes; opened before the work, so that a wrong path is known at once. */
 export class Output {
   readonly #path: string;
+  readonly #isQuiet: boolean;
 
-  private constructor(path: string) {
+  private constructor(path: string, isQuiet: boolean) {
     this.#path = path;
+    this.#isQuiet = isQuiet;
   }
 
-  static async open(path: string): Promise<Output> {
-    if (path === standard) return new Output(path);
+  static async open({ output: path, quiet }: Pick<Values, 'output' | 'quiet'>): Promise<Output> {
+    if (path === standard) return new Output(path, quiet);
     try {
       const target = await targetOf(path);
       const kind = await kindOf(target);
       if (kind === 'folder') throw new FileError('it is a folder');
       await access(kind === 'none' ? dirname(target) : target, constants.W_OK);
-      return new Output(target);
+      return new Output(target, quiet);
     } catch (error) {
       throw new FileError(`${path} cannot be written: ${reason(error)}`);
     }
   }
 
-  get isFile(): boolean {
-    return this.#path !== standard;
+  /** A line about a result that went to a file. */
+  summarise(line: string): void {
+    if (this.#path !== standard && !this.#isQuiet) process.stderr.write(`${line}\n`);
   }
 
   /** Refuses to replace what a model was read from; known when the model is, before the work. */
@@ -196,7 +199,7 @@ export class Output {
    * written to, as are files in folders that take no others.
    */
   async write(content: string | Uint8Array): Promise<void> {
-    if (!this.isFile) return writeStandardOutput(content);
+    if (this.#path === standard) return writeStandardOutput(content);
     this.requireNoModel();
     try {
       const kind = await kindOf(this.#path);
