@@ -21,7 +21,7 @@ const { LatestTask } = await viewerModule('session/latest_task');
 const { ModelDrawing } = await viewerModule('drawing/model_drawing');
 const { ModelFrame } = await viewerModule('buffers/model_frame');
 const { RegionColours, toneColour } = await viewerModule('buffers/region_colours');
-const { changeDiagram, shownDiagram } = await viewerModule('session/shown_diagram');
+const { changeDiagram } = await viewerModule('session/shown_diagram');
 const { SiteHistory } = await viewerModule('session/site_history');
 const { stepsBetween, without } = await viewerModule('session/site_step');
 
@@ -253,16 +253,13 @@ suite('a diagram that changes', () => {
     const diagram = await mesh.voronoi(await mesh.sampleSites(60));
     const scene = new SceneMesh(sceneArrays(mesh));
     const colours = new RegionColours();
-    const ids = () => [...diagram.sites.face.keys()];
+    const sites = () => [...diagram.sites.face.keys()].map((id) => ({ id }));
     const layers = new Set(['regions', 'bisectors', 'voronoi-points']);
     const wholeSummary = () => DiagramSummary.of(diagram.data);
     const setWhole = (drawing) => {
       const summary = wholeSummary();
-      const tones = drawing.assignTones(
-        summary,
-        ids().map((id) => ({ id })),
-      );
-      drawing.setDiagram(diagram.data, { summary, tones });
+      const tones = drawing.assignTones(summary, sites());
+      drawing.setDiagram(diagram, { summary, tones });
     };
     const newDrawing = () => {
       const drawing = new ModelDrawing(scene, colours);
@@ -291,11 +288,13 @@ suite('a diagram that changes', () => {
         : diagram.moveSite((7 * i) % 60, single(places, i)));
       summary = summary.after(change, diagram.sites.face.length);
       drawing.changeDiagram(change, {
-        get data() {
-          return assert.fail('all of the diagram is not needed');
+        diagram: {
+          get data() {
+            return assert.fail('all of the diagram is not needed');
+          },
         },
         summary,
-        siteIds: ids(),
+        sites: sites(),
       });
       card.uploaded = 0;
       if (i % 4 === 2) continue; // several changes before a drawing
@@ -309,7 +308,7 @@ suite('a diagram that changes', () => {
         [siteCount, regionCount, arcCount, segmentCount],
       );
       assert.equal(summary.voronoiPointCount, voronoiPointCount);
-      assertNeighboursDiffer(colours.assign(summary, ids()), pairsOf(summary));
+      assertNeighboursDiffer(drawing.assignTones(summary, sites()), pairsOf(summary));
 
       const anew = newDrawing();
       setWhole(anew);
@@ -370,10 +369,10 @@ suite('a diagram that changes', () => {
     ]) {
       const diagram = await mesh.voronoi(middles(0, 3, 6));
       const summary = DiagramSummary.of(diagram.data);
-      const shown = shownDiagram({ ...settings, sites: [a, b, c] }, diagram, summary);
+      const shown = { ...settings, sites: [a, b, c], diagram, summary };
       const changeTo = (list) => changeDiagram(shown, { ...settings, sites: list });
       assert.equal(await changeTo([...sites, c]), undefined);
-      assert.deepEqual([shown.diagram, shown.data], [undefined, undefined]);
+      assert.equal(shown.diagram, undefined);
       await assert.rejects(diagram.locate({ vertex: 0 }), { code: 'disposed' });
       assert.equal(await changeTo([moved, b, c]), undefined);
     }
@@ -388,7 +387,7 @@ suite('a diagram that changes', () => {
     const sites = new SiteHistory().createAll(middle);
     const diagram = await mesh.voronoi(middle);
     const summary = DiagramSummary.of(diagram.data);
-    const shown = shownDiagram({ ...settings, sites }, diagram, summary);
+    const shown = { ...settings, sites, diagram, summary };
     const moved = [{ ...sites[0], face: 1 }];
     for (const other of [{ metric: 'dgpc' }, { detail: 1 }])
       assert.equal(await changeDiagram(shown, { ...settings, ...other, sites: moved }), undefined);

@@ -20,7 +20,7 @@ import type { DrawnPixels } from './stage/picture_file.js';
 import { PointerGestures } from './tools/pointer_gestures.js';
 import { Session } from './session/session.js';
 import type { Drawable, SessionListener } from './session/session_listener.js';
-import { drawnDiagram, factsOf, type ShownDiagram } from './session/shown_diagram.js';
+import { factsOf, type ShownDiagram } from './session/shown_diagram.js';
 import { type PointList, type SitePlace, surfacePointsOf } from './session/site_history.js';
 import { SiteSelection } from './tools/site_selection.js';
 import { type ContextListener, SharedRenderer } from './stage/shared_renderer.js';
@@ -370,10 +370,11 @@ export class Viewer implements Workpiece {
   }
 
   #showDiagram(shown: ShownDiagram, { changes, prepared }: Drawable): void {
-    const drawn = drawnDiagram(shown);
+    const { diagram, summary, sites } = shown;
     const drawing = this.#model?.drawing;
-    if (drawn && changes) for (const change of changes) drawing?.changeDiagram(change, drawn);
-    else drawing?.setDiagram(shown.data, prepared);
+    if (changes && diagram && summary)
+      for (const change of changes) drawing?.changeDiagram(change, { diagram, summary, sites });
+    else drawing?.setDiagram(diagram, prepared);
     this.stage.invalidate();
     this.hover.refresh();
   }

@@ -29,14 +29,6 @@ export interface PreparedDiagram {
   geometry: DiagramGeometry | undefined;
 }
 
-/** A diagram that has been changed; `data` is read only to draw the whole diagram. */
-export interface DrawnDiagram {
-  readonly data: DiagramData;
-  summary: DiagramSummary;
-  /** The site's identity per label. */
-  siteIds: readonly number[];
-}
-
 export function diagramGeometry(
   mesh: SceneMesh,
   { cells, points, segments }: DiagramLines,

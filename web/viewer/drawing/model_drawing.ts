@@ -12,11 +12,7 @@ import {
   type Object3D,
 } from 'three';
 import { css } from '../buffers/colour_vision.js';
-import type {
-  DiagramGeometry,
-  DrawnDiagram,
-  PreparedDiagram,
-} from '../buffers/diagram_geometry.js';
+import type { DiagramGeometry, PreparedDiagram } from '../buffers/diagram_geometry.js';
 import type { DiagramSummary } from '../buffers/diagram_summary.js';
 import type { DistanceScale } from './distance_scale.js';
 import { DistanceSurface } from './distance_surface.js';
@@ -25,7 +21,7 @@ import { ExplodedView } from './exploded_view.js';
 import { chainEnds, FatLines, pointPlaces, wireframe } from './lines.js';
 import type { OriginalMaterial } from './original_material.js';
 import { RegionColours, toneColour } from '../buffers/region_colours.js';
-import { RegionSurface, type TonedDiagram } from './region_surface.js';
+import { type DiagramSource, RegionSurface } from './region_surface.js';
 import { OutlineDrawing } from './outline_drawing.js';
 import { occlusionTexture } from './occlusion.js';
 import type { SceneMesh } from '../buffers/scene_mesh.js';
@@ -54,6 +50,13 @@ const pointShare = 0.45;
 const bisectorShare = 0.25;
 
 type Lines = Pick<DiagramData, 'points' | 'arcs' | 'segments' | 'voronoiPoints'>;
+
+/** A diagram after a change. */
+interface ChangedDiagram {
+  diagram: DiagramSource;
+  summary: DiagramSummary;
+  sites: Sites;
+}
 
 /** A model with its diagram and sites, as objects of the scene. */
 export class ModelDrawing {
@@ -130,30 +133,28 @@ export class ModelDrawing {
     this.#showBisectors();
   }
 
-  /** Chooses a tone per label for a diagram that is to be drawn. */
-  assignTones(summary: DiagramSummary, sites: Sites): Uint16Array {
-    return this.#colours.assign(
-      summary,
-      sites.map(({ id }) => id),
-    );
+  /** Chooses a tone per label for a diagram that is to be drawn; see `RegionColours`. */
+  assignTones(summary: DiagramSummary, sites: Sites, yielding?: ReadonlySet<number>): Uint16Array {
+    const ids = sites.map(({ id }) => id);
+    return this.#colours.assign(summary, ids, yielding);
   }
 
   /** Draws a whole diagram, or none; takes over the arrays in `prepared`. */
-  setDiagram(data: DiagramData | undefined, prepared: PreparedDiagram | undefined): void {
+  setDiagram(diagram: DiagramSource | undefined, prepared: PreparedDiagram | undefined): void {
     this.#tones = prepared?.tones ?? new Uint16Array();
     const { cells } = prepared?.geometry ?? {};
-    this.#surface.setDiagram(data && { data, tones: this.#tones }, cells);
+    this.#surface.setDiagram(diagram, this.#tones, cells);
     this.#adoptAreas(prepared?.summary);
-    this.#setLines(data, prepared?.geometry);
-    this.outline.setLoops(data);
+    this.#setLines(diagram?.data, prepared?.geometry);
+    this.outline.setLoops(diagram?.data);
   }
 
   /** Draws what a change made different, and nothing else. */
-  changeDiagram(change: DiagramChange, diagram: DrawnDiagram): void {
+  changeDiagram(change: DiagramChange, { diagram, summary, sites }: ChangedDiagram): void {
     const { labels, part } = change;
-    this.#tones = this.#colours.assign(diagram.summary, diagram.siteIds, new Set(labels));
-    this.#surface.changeDiagram(change, toned(diagram, this.#tones));
-    this.#adoptAreas(diagram.summary);
+    this.#tones = this.assignTones(summary, sites, new Set(labels));
+    this.#surface.changeDiagram(change, diagram, this.#tones);
+    this.#adoptAreas(summary);
     // There may be one more label than tones: that of a removed site.
     const isChanged = new Uint8Array(1 + Math.max(this.#tones.length, labels[labels.length - 1]));
     for (const label of labels) isChanged[label] = 1;
@@ -290,13 +291,4 @@ export class ModelDrawing {
   #segmentEnds(lines: Lines | undefined): Float32Array {
     return lines ? pointPlaces(this.mesh, lines, lines.segments.points) : new Float32Array();
   }
-}
-
-function toned(diagram: DrawnDiagram, tones: Uint16Array): TonedDiagram {
-  return {
-    tones,
-    get data() {
-      return diagram.data;
-    },
-  };
 }

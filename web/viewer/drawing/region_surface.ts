@@ -2,7 +2,7 @@
 //
 // The surface of a model in the colours of its regions.
 
-import type { DiagramChange, DiagramData } from 'geodesic-voronoi';
+import type { Diagram, DiagramChange } from 'geodesic-voronoi';
 import {
   BufferAttribute,
   BufferGeometry,
@@ -37,11 +37,8 @@ const noCells: CellTriangles = {
   points: new Int32Array(),
 };
 
-/** A diagram to be drawn, with a tone per label; `data` is read only to draw all of it. */
-export interface TonedDiagram {
-  readonly data: DiagramData;
-  tones: Uint16Array;
-}
+/** A diagram whose `data` are read only to draw all of it: after changes they are put together then. */
+export type DiagramSource = Pick<Diagram, 'data'>;
 
 /**
  * The model's surface filled by region. Faces are drawn from arrays made once; only their colours
@@ -61,7 +58,9 @@ export class RegionSurface {
   readonly #cellTriangles = new RecordBuffer((n) =>
     cornerBuffers(new Float32Array(9 * n), new Float32Array(9 * n), new Uint8Array(9 * n)),
   );
-  #diagram: TonedDiagram | undefined;
+  #diagram: DiagramSource | undefined;
+  /** Per label. */
+  #tones: Uint16Array = new Uint16Array();
   /** The drawn `DiagramData.faceLabel`; without a diagram, all faces count as dropped. */
   readonly #faceLabels: Int32Array;
   /** Working memory, with room for all faces. */
@@ -105,15 +104,16 @@ export class RegionSurface {
    * they are, but for mixed ones, whose cells may be others; `cells` are the diagram's if they have
    * been cut already.
    */
-  setDiagram(diagram: TonedDiagram | undefined, cells?: CellTriangles): void {
-    const before = this.#diagram?.tones;
+  setDiagram(diagram: DiagramSource | undefined, tones: Uint16Array, cells?: CellTriangles): void {
+    const before = this.#tones;
     this.#diagram = diagram;
+    this.#tones = tones;
     if (!this.#filled) return;
     const faceLabel = diagram?.data.faceLabel;
-    const isRecoloured = recoloured(before, diagram?.tones);
+    const isRecoloured = recoloured(before, tones);
     const drawn = this.#faceLabels;
     const changed = this.#changedFaces;
-    const colours = new LabelColours(diagram?.tones);
+    const colours = new LabelColours(tones);
     let count = 0;
     // Runs for every face in every iteration of a tessellation: nothing is allocated per face.
     for (let face = 0; face < drawn.length; ++face) {
@@ -128,11 +128,12 @@ export class RegionSurface {
   }
 
   /** Draws what a change made different. */
-  changeDiagram({ faces, part }: DiagramChange, diagram: TonedDiagram): void {
-    const before = this.#diagram?.tones;
+  changeDiagram({ faces, part }: DiagramChange, diagram: DiagramSource, tones: Uint16Array): void {
+    const before = this.#tones;
     this.#diagram = diagram;
+    this.#tones = tones;
     if (!this.#filled) return;
-    const colours = new LabelColours(diagram.tones);
+    const colours = new LabelColours(tones);
     const isChanged = new Uint8Array(this.#mesh.faceCount);
     for (let i = 0; i < faces.length; ++i) {
       isChanged[faces[i]] = 1;
@@ -140,7 +141,7 @@ export class RegionSurface {
     }
     this.#replaceCells({ first: isChanged }, this.#cut(part), colours);
     this.#uploadFaces(faces);
-    const isRecoloured = recoloured(before, diagram.tones);
+    const isRecoloured = recoloured(before, tones);
     if (isRecoloured.includes(1)) this.#recolour({ second: isRecoloured }, colours);
   }
 
@@ -159,8 +160,7 @@ export class RegionSurface {
         ? 1
         : 0,
     );
-    const diagram = this.#filled ? this.#diagram : undefined;
-    this.#recolour({ first: isMeant }, new LabelColours(diagram?.tones));
+    this.#recolour({ first: isMeant }, this.#colours());
   }
 
   dispose(): void {
@@ -170,9 +170,8 @@ export class RegionSurface {
   }
 
   #drawAll(): void {
-    const diagram = this.#filled ? this.#diagram : undefined;
-    const data = diagram?.data;
-    const colours = new LabelColours(diagram?.tones);
+    const data = this.#filled ? this.#diagram?.data : undefined;
+    const colours = this.#colours();
     for (let face = 0; face < this.#mesh.faceCount; ++face) {
       this.#writeFace(face, data ? data.faceLabel[face] : dropped, colours);
     }
@@ -221,6 +220,10 @@ export class RegionSurface {
       return;
     }
     uploadRecords(this.#colour, faces, 9);
+  }
+
+  #colours(): LabelColours {
+    return new LabelColours(this.#filled ? this.#tones : undefined);
   }
 
   #cut(part: Cells | undefined): CellTriangles | undefined {
@@ -301,11 +304,9 @@ export class RegionSurface {
 }
 
 /** Marks the labels with another tone than before, and those that are new or gone. */
-function recoloured(before: Uint16Array | undefined, after: Uint16Array | undefined): Uint8Array {
-  const count = Math.max(before?.length ?? 0, after?.length ?? 0);
-  return Uint8Array.from({ length: count }, (_, label) =>
-    before?.[label] === after?.[label] ? 0 : 1,
-  );
+function recoloured(before: Uint16Array, after: Uint16Array): Uint8Array {
+  const count = Math.max(before.length, after.length);
+  return Uint8Array.from({ length: count }, (_, label) => (before[label] === after[label] ? 0 : 1));
 }
 
 /** Whether two arrays have the same three numbers at two places. */

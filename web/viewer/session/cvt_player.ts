@@ -6,7 +6,7 @@ import type { Mesh, Metric } from 'geodesic-voronoi';
 import { CvtRun, type CvtSettings, type PreparedIteration } from './cvt_run.js';
 import type { LiveDiagram } from './live_diagram.js';
 import type { CvtStatus, SessionListener } from './session_listener.js';
-import { type PrepareDiagram, shownDiagram } from './shown_diagram.js';
+import type { PrepareDiagram, ShownDiagram } from './shown_diagram.js';
 import { placeOf, type SiteHistory } from './site_history.js';
 
 /** What the session does about a tessellation. */
@@ -103,8 +103,13 @@ export class CvtPlayer {
       else this.#history.revise(sites);
       this.#listener.sitesChanged();
     }
-    const request = { sites: this.#history.present, metric, detail: 0 };
-    const shown = shownDiagram(request, state.diagram, prepared?.summary);
+    const shown: ShownDiagram = {
+      sites: this.#history.present,
+      metric,
+      detail: 0,
+      summary: prepared?.summary,
+      diagram: state.diagram,
+    };
     this.#diagram.shown = shown;
     this.#listener.cvtIterated(shown, state, { prepared });
   }

@@ -11,7 +11,6 @@ import {
   type DiagramRequest,
   type DiagramSettings,
   type PrepareDiagram,
-  shownDiagram,
   type ShownDiagram,
 } from './shown_diagram.js';
 import type { Sites } from './site_history.js';
@@ -141,7 +140,7 @@ export class LiveDiagram {
     const summary = changes
       ? changes.reduce((sum, change) => sum?.after(change, request.sites.length), before?.summary)
       : prepared?.summary;
-    this.shown = shownDiagram(request, diagram, summary);
+    this.shown = { ...request, diagram, summary };
     this.#listener.diagramChanged(this.shown, milliseconds, { changes, prepared });
   }
 }

@@ -10,7 +10,7 @@ import type {
   Metric,
   TaskOptions,
 } from 'geodesic-voronoi';
-import type { DrawnDiagram, PreparedDiagram } from '../buffers/diagram_geometry.js';
+import type { PreparedDiagram } from '../buffers/diagram_geometry.js';
 import type { DiagramSummary } from '../buffers/diagram_summary.js';
 import { type Sites, surfacePointsOf } from './site_history.js';
 import { type SiteStep, stepsBetween } from './site_step.js';
@@ -35,29 +35,8 @@ export interface DiagramRequest extends DiagramSettings {
 export interface ShownDiagram extends DiagramRequest {
   /** Undefined without sites. */
   summary: DiagramSummary | undefined;
-  /**
-   * All arrays. After changes they are put together only when read, not in every step of a drag.
-   */
-  readonly data: DiagramData | undefined;
   /** Undefined without sites, and after a change that failed. */
   diagram: Diagram | undefined;
-}
-
-export function shownDiagram(
-  { sites, metric, detail }: DiagramRequest,
-  diagram: Diagram | undefined,
-  summary: DiagramSummary | undefined,
-): ShownDiagram {
-  return {
-    sites,
-    metric,
-    detail,
-    summary,
-    diagram,
-    get data() {
-      return this.diagram?.data;
-    },
-  };
 }
 
 /** Computes the diagram of a request; undefined without sites. */
@@ -99,20 +78,6 @@ function takeStep(diagram: Diagram, step: SiteStep): Promise<DiagramChange> {
   const place = surfacePointsOf([step.site]);
   if (step.kind === 'insert') return diagram.insertSite(place);
   return diagram.moveSite(step.index, place);
-}
-
-/** A diagram as its drawing needs it; undefined without sites. */
-export function drawnDiagram(shown: ShownDiagram): DrawnDiagram | undefined {
-  const { sites, summary } = shown;
-  return (
-    summary && {
-      summary,
-      siteIds: sites.map(({ id }) => id),
-      get data() {
-        return shown.data as DiagramData;
-      },
-    }
-  );
 }
 
 /** What is told of a diagram that took so long. */
