@@ -3,58 +3,66 @@
 // The script of the worker that `DrawingBuilder` starts: through each port that it gets come a
 // mesh, then what is to be drawn of it.
 
-import { diagramGeometry } from './diagram_geometry.js';
-import { distanceTriangles } from './distance_triangles.js';
-import type { DrawingAnswer, DrawingRequest, DrawingTask } from './drawing_builder.js';
+import type { Mesh } from 'geodesic-voronoi';
+import { type DiagramLines, diagramGeometry } from './diagram_geometry.js';
+import { type DistanceSamples, distanceTriangles } from './distance_triangles.js';
 import { meshEdges } from './mesh_edges.js';
-import { partTriangles } from './part_triangles.js';
+import { type Parts, partTriangles } from './part_triangles.js';
 import { sceneArrays } from './scene_arrays.js';
 import { SceneMesh } from './scene_mesh.js';
 import { buffersOf } from './transfer.js';
+import type { DrawnPixels, PictureFormat } from '../stage/picture_file.js';
+
+/** The tasks of one port, by their names. Code that no first picture needs is fetched when asked for. */
+function newTasks() {
+  let mesh: SceneMesh;
+  return {
+    scene: (given: Pick<Mesh, 'positions' | 'indices'>) => {
+      const arrays = sceneArrays(given);
+      const { positions, indices, normals } = arrays;
+      // Arrays in the answer are transferred; the worker keeps a copy of those it needs.
+      mesh = new SceneMesh({
+        ...arrays,
+        positions: positions.slice(),
+        indices: indices.slice(),
+        normals: normals.slice(),
+      });
+      return arrays;
+    },
+    // It fails where a page finds modules by an import map, which its workers do not.
+    tree: async () => (await import('./search_tree.js')).buildTree(mesh),
+    edges: () => meshEdges(mesh.indices),
+    diagram: (diagram: DiagramLines) => diagramGeometry(mesh, diagram),
+    parts: (partition: Parts, tones: Uint16Array) => partTriangles(mesh, partition, tones),
+    distances: (samples: DistanceSamples) => distanceTriangles(mesh, samples),
+    ply: async (bytes: Uint8Array) => (await import('./ply_surface.js')).plySurface(bytes),
+    picture: async (drawn: DrawnPixels, format: PictureFormat) =>
+      (await import('../stage/picture_file.js')).pictureFile(drawn, format),
+  };
+}
+export type DrawingTasks = ReturnType<typeof newTasks>;
+
+/** A request to the worker; the answer has the same number, and is undefined after a failure. */
+export interface DrawingRequest<Name extends keyof DrawingTasks> {
+  id: number;
+  name: Name;
+  args: Parameters<DrawingTasks[Name]>;
+}
+export interface DrawingAnswer {
+  id: number;
+  result: unknown;
+}
 
 globalThis.onmessage = ({ data: port }: MessageEvent<MessagePort>) => {
-  let mesh: SceneMesh;
-
-  const make = (task: DrawingTask): unknown => {
-    switch (task.kind) {
-      case 'mesh': {
-        const arrays = sceneArrays(task.mesh);
-        const { positions, indices, normals } = arrays;
-        // Arrays in the answer are transferred; the worker keeps a copy of those it needs.
-        mesh = new SceneMesh({
-          ...arrays,
-          positions: positions.slice(),
-          indices: indices.slice(),
-          normals: normals.slice(),
-        });
-        return arrays;
-      }
-      case 'tree':
-        return builtTree(mesh);
-      case 'edges':
-        return meshEdges(mesh.indices);
-      case 'diagram':
-        return diagramGeometry(mesh, task.diagram);
-      case 'parts':
-        return partTriangles(mesh, task.partition, task.tones);
-      case 'distances':
-        return distanceTriangles(mesh, task.samples);
-      case 'ply':
-        return import('./ply_surface.js').then(({ plySurface }) => plySurface(task.bytes));
-      case 'picture':
-        return import('../stage/picture_file.js').then(({ pictureFile }) =>
-          pictureFile(task.drawn, task.format),
-        );
-    }
-  };
-
+  const tasks = newTasks() as Record<string, (...args: unknown[]) => unknown>;
   const answer = (id: number, result: unknown) =>
     port.postMessage({ id, result } satisfies DrawingAnswer, [...buffersOf(result)]);
 
-  // Most answers are made at once, in the order of the requests; undefined is that of a failure.
-  port.onmessage = ({ data: { id, task } }: MessageEvent<DrawingRequest>) => {
+  // Most answers are made at once, in the order of the requests.
+  port.onmessage = ({ data }: MessageEvent<DrawingRequest<keyof DrawingTasks>>) => {
+    const { id, name, args } = data;
     try {
-      const result = make(task);
+      const result = tasks[name](...args);
       if (!(result instanceof Promise)) answer(id, result);
       else void result.catch(() => undefined).then((made) => answer(id, made));
     } catch {
@@ -62,9 +70,3 @@ globalThis.onmessage = ({ data: port }: MessageEvent<MessagePort>) => {
     }
   };
 };
-
-/** Its code is fetched when it is first asked for: no first picture needs it. */
-async function builtTree(mesh: SceneMesh): Promise<unknown> {
-  // It fails where a page finds modules by an import map, which its workers do not.
-  return (await import('./search_tree.js')).buildTree(mesh);
-}
