@@ -53,16 +53,6 @@ export class Attributes {
     return this.#given('alt') || 'A surface with its geodesic Voronoi diagram';
   }
 
-  /** Whether nothing is fetched, nor anything drawn, before the element is near the view. */
-  get isLazy(): boolean {
-    return this.#given('loading') === 'lazy';
-  }
-
-  /** Whether the poster stays until the page dismisses it. */
-  get isRevealedByHand(): boolean {
-    return this.#given('reveal') === 'manual';
-  }
-
   /**
    * Whether there is anything to do with pointer and keys, and whether it changes sites and
    * density.

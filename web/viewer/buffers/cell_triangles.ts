@@ -44,7 +44,11 @@ export function cellTriangles(
   const named = new Int32Array(3 * count);
 
   const places = mesh.frame.toScene(points.position);
-  const { fan, normals, barys } = new Scratch(longestCell(cells));
+  // Of the corners of one cell; of the barycentric coordinates, the second and the third.
+  const mostCorners = longestCell(cells);
+  const fan = new Float32Array(3 * mostCorners);
+  const normals = new Float32Array(3 * mostCorners);
+  const barys = new Float64Array(2 * mostCorners);
   const bary = [0, 0, 0];
   let triangle = 0;
   for (let cell = 0; cell < cellCount; ++cell) {
@@ -74,20 +78,6 @@ export function cellTriangles(
     }
   }
   return { keys, position, normal, points: named };
-}
-
-/** Working memory for the corners of one cell. */
-class Scratch {
-  readonly fan: Float32Array;
-  readonly normals: Float32Array;
-  /** The second and third barycentric coordinate. */
-  readonly barys: Float64Array;
-
-  constructor(corners: number) {
-    this.fan = new Float32Array(3 * corners);
-    this.normals = new Float32Array(3 * corners);
-    this.barys = new Float64Array(2 * corners);
-  }
 }
 
 function longestCell({ offset }: Cells['cells']): number {

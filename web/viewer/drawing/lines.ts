@@ -146,22 +146,12 @@ function lineMaterial(width: number, widest: { value: number }): LineMaterial {
   return material;
 }
 
-/** The places in the scene of points of a diagram, by their indices. */
-export function pointPlaces(
-  mesh: SceneMesh,
-  { points }: Pick<DiagramData, 'points'>,
-  indices: ArrayLike<number>,
-): Float32Array {
-  return mesh.frame.namedToScene(points.position, indices);
-}
-
 /** Both ends of every segment of a region's loops, in the scene. */
 export function outlineEnds(
   mesh: SceneMesh,
-  data: Pick<DiagramData, 'points' | 'loops'>,
+  { points, loops }: Pick<DiagramData, 'points' | 'loops'>,
   label: number,
 ): Float32Array {
-  const { loops } = data;
   const chain: number[] = [];
   for (let loop = 0; loop < loops.label.length; ++loop) {
     if (loops.label[loop] !== label) continue;
@@ -171,7 +161,7 @@ export function outlineEnds(
       chain.push(loops.points[i], loops.points[i + 1 < end ? i + 1 : first]);
     }
   }
-  return pointPlaces(mesh, data, chain);
+  return mesh.frame.namedToScene(points.position, chain);
 }
 
 /**

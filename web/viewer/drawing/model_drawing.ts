@@ -18,7 +18,7 @@ import type { DistanceScale } from './distance_scale.js';
 import { DistanceSurface } from './distance_surface.js';
 import type { DistanceTriangles } from '../buffers/distance_triangles.js';
 import { ExplodedView } from './exploded_view.js';
-import { chainEnds, FatLines, pointPlaces, wireframe } from './lines.js';
+import { chainEnds, FatLines, wireframe } from './lines.js';
 import type { OriginalMaterial } from './original_material.js';
 import { RegionColours, toneColour } from '../buffers/region_colours.js';
 import { type DiagramSource, RegionSurface } from './region_surface.js';
@@ -289,6 +289,7 @@ export class ModelDrawing {
   }
 
   #segmentEnds(lines: Lines | undefined): Float32Array {
-    return lines ? pointPlaces(this.mesh, lines, lines.segments.points) : new Float32Array();
+    if (!lines) return new Float32Array();
+    return this.mesh.frame.namedToScene(lines.points.position, lines.segments.points);
   }
 }

@@ -42,12 +42,11 @@ export class OutlineDrawing {
     this.show(-1);
   }
 
-  /** Draws the outline of a region; -1 for none. Returns whether that changed anything. */
-  show(label: number): boolean {
-    if (label === this.#label) return false;
+  /** Draws the outline of a region; -1 for none. */
+  show(label: number): void {
+    if (label === this.#label) return;
     this.#label = label;
     this.#lines.set(label < 0 ? new Float32Array() : this.#endsOf(label));
-    return true;
   }
 
   dispose(): void {

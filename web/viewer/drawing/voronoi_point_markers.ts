@@ -4,7 +4,6 @@
 
 import type { DiagramData } from 'geodesic-voronoi';
 import { labelsAround } from '../buffers/diagram_summary.js';
-import { pointPlaces } from './lines.js';
 import { Markers, type MarkerStyle } from './markers.js';
 import type { SceneMesh } from '../buffers/scene_mesh.js';
 
@@ -68,7 +67,7 @@ export class VoronoiPointMarkers {
   #recordsOf({ points, voronoiPoints }: Points): Float32Array {
     const { point } = voronoiPoints;
     const records = new Float32Array(width * point.length);
-    const places = pointPlaces(this.#mesh, { points }, point);
+    const places = this.#mesh.frame.namedToScene(points.position, point);
     const bary = [0, 0, 0];
     point.forEach((p, i) => {
       for (let k = 0; k < 3; ++k) {

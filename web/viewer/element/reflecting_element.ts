@@ -94,7 +94,7 @@ export class ReflectingElement extends Base {
 
   /** With 'lazy' nothing is fetched or made before the element is near the view. */
   get loading(): 'eager' | 'lazy' {
-    return this.attributeValues.isLazy ? 'lazy' : 'eager';
+    return this.getAttribute('loading') === 'lazy' ? 'lazy' : 'eager';
   }
 
   set loading(loading: 'eager' | 'lazy' | undefined) {
@@ -103,7 +103,7 @@ export class ReflectingElement extends Base {
 
   /** With 'manual' the poster stays until `dismissPoster()`. */
   get reveal(): 'auto' | 'manual' {
-    return this.attributeValues.isRevealedByHand ? 'manual' : 'auto';
+    return this.getAttribute('reveal') === 'manual' ? 'manual' : 'auto';
   }
 
   set reveal(reveal: 'auto' | 'manual' | undefined) {

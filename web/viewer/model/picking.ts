@@ -28,6 +28,9 @@ export interface SurfaceHit {
   place: Vector3;
 }
 
+/** How far off the surface a point may be that it does not hide, in radii of the model. */
+const almost = 0.01;
+
 /**
  * Finds the surface under a place of the view. Until there is a search tree, which the first
  * picture does not need, it tests every triangle.
@@ -68,14 +71,14 @@ export class Picker {
     return this.#builtTree()?.nearest(place) ?? place.clone();
   }
 
-  /** Whether the surface hides a point that lies on it or is lifted off it by up to `slack`. */
-  hides(point: Vector3, camera: Camera, slack = 0.01): boolean {
+  /** Whether the surface hides a point that lies on it, or almost. */
+  hides(point: Vector3, camera: Camera): boolean {
     const { ray } = this.#raycaster;
     ray.origin.setFromMatrixPosition(camera.matrixWorld);
     const distance = ray.origin.distanceTo(point);
     ray.lookAt(point);
     const hit = this.#firstHit(ray);
-    return hit !== undefined && hit.distance < distance - slack;
+    return hit !== undefined && hit.distance < distance - almost;
   }
 
   async #prepare(tree: Promise<BuiltTree | undefined>): Promise<void> {

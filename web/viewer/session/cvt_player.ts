@@ -57,7 +57,7 @@ export class CvtPlayer {
     if (!mesh || this.#history.present.length === 0) return;
     this.#history.endMove();
     const wanted = { ...settings, metric: this.#diagram.settings.metric };
-    if (this.#run && (this.#run.done || !this.#run.hasSettings(wanted))) this.stop();
+    if (this.#run && (this.#run.status === 'done' || !this.#run.hasSettings(wanted))) this.stop();
     this.#run ??= this.#newRun(mesh, wanted);
     this.#run.play(until(this.#run.iteration));
     this.#diagram.cancel();

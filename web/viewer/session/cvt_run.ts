@@ -2,22 +2,15 @@
 //
 // A centroidal tessellation that plays, pauses and goes on.
 
-import type { CvtMethod, CvtState, Mesh, Metric } from 'geodesic-voronoi';
+import type { CvtOptions, CvtState, Mesh } from 'geodesic-voronoi';
 import type { PreparedDiagram } from '../buffers/diagram_geometry.js';
 import type { PrepareDiagram } from './shown_diagram.js';
 import { nextFrame } from '../stage/next_frame.js';
 import { shallowEqual } from './shallow_equal.js';
 import { type Sites, surfacePointsOf } from './site_history.js';
 
-/** How sites move to the centroids of their regions; see `CvtOptions` of the library. */
-export interface CvtSettings {
-  method?: CvtMethod;
-  metric?: Metric;
-  /** It is done when an iteration lowers the energy by no more than this share. */
-  energyTolerance?: number;
-  /** Per input vertex. */
-  density?: ArrayLike<number>;
-}
+/** How sites move to the centroids of their regions. */
+export type CvtSettings = Pick<CvtOptions, 'method' | 'metric' | 'energyTolerance' | 'density'>;
 
 /** An iteration, ready to be drawn. */
 export interface PreparedIteration {
@@ -85,17 +78,9 @@ export class CvtRun {
     return shallowEqual(settings, this.#settings);
   }
 
-  get playing(): boolean {
-    return this.#playing !== undefined;
-  }
-
-  /** Whether no iteration lowers the energy any more. */
-  get done(): boolean {
-    return this.#done;
-  }
-
+  /** 'done': no iteration lowers the energy any more. */
   get status(): 'running' | 'paused' | 'done' {
-    if (this.playing) return 'running';
+    if (this.#playing) return 'running';
     return this.#done ? 'done' : 'paused';
   }
 
@@ -109,7 +94,7 @@ export class CvtRun {
   }
 
   play(until: number): void {
-    const isPlaying = this.playing;
+    const isPlaying = this.#playing !== undefined;
     this.#playing ??= { until };
     this.#playing.until = until;
     if (!isPlaying) void this.#play(this.#playing);

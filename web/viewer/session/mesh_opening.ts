@@ -6,7 +6,7 @@ import type {
   GeodesicVoronoi,
   Mesh,
   MeshOptions,
-  Sampling,
+  SampleOptions,
   SurfacePoints,
   TaskOptions,
 } from 'geodesic-voronoi';
@@ -18,14 +18,8 @@ import { shallowEqual } from './shallow_equal.js';
 import type { PointList, Tints } from './site_history.js';
 
 /** How sites are sampled, by default as the library does. */
-export interface SiteSampling {
+export interface SiteSampling extends Omit<SampleOptions, keyof TaskOptions> {
   count: number;
-  seed?: number | undefined;
-  sampling?: Sampling | undefined;
-  /** The least number per component, as far as there are enough sites. */
-  perComponent?: number | undefined;
-  /** Per input vertex: random sites are closer where it is greater. */
-  density?: ArrayLike<number> | undefined;
 }
 
 /** How a model is opened. */
