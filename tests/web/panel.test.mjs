@@ -332,7 +332,8 @@ suite('the panel', () => {
       const fields = [
         ...document.querySelectorAll('#panel :is(select:not([size]), [type=number])'),
       ];
-      const initial = ({ defaultValue, options }) => defaultValue ?? options[0].value;
+      const chosen = (options) => [...options].find((each) => each.defaultSelected) ?? options[0];
+      const initial = ({ defaultValue, options }) => defaultValue ?? chosen(options).value;
       const attribute = ({ id }) => viewer.getAttribute(id === 'count' ? 'sites' : id);
       return {
         told: fields.map(({ id, value }) => [id, value]),

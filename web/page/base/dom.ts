@@ -2,6 +2,7 @@
 //
 // Finding elements of the page and listening to them.
 
+import { attributeOf } from '../../viewer/attributes/attribute_defaults.js';
 import type { GeodesicVoronoiElement, ViewerEvents } from '../../viewer/element.js';
 
 /** The element with this id, checked to be of this class. */
@@ -18,21 +19,37 @@ export function onClick(id: string, listener: () => void): HTMLButtonElement {
   return button;
 }
 
+/** Calls back now, and when one of these attributes of the viewer has changed. */
+export function watchAttributes(
+  viewer: GeodesicVoronoiElement,
+  names: string[],
+  listener: () => void,
+): void {
+  listener();
+  new MutationObserver(listener).observe(viewer, { attributeFilter: names });
+}
+
+type Field = HTMLInputElement | HTMLSelectElement;
+
 /** Keeps fields at the values of the viewer's attributes, by whose names they are given. */
 export function showAttributes(
   viewer: GeodesicVoronoiElement,
-  fields: Readonly<Record<string, HTMLInputElement | HTMLSelectElement>>,
+  fields: Readonly<Record<string, Field>>,
 ): void {
-  const initial = Object.entries(fields).map(([name, field]) => ({
-    name,
-    field,
-    value: field.value,
-  }));
-  const show = () => {
-    for (const { name, field, value } of initial) field.value = viewer.getAttribute(name) ?? value;
-  };
-  show();
-  new MutationObserver(show).observe(viewer, { attributeFilter: Object.keys(fields) });
+  watchAttributes(viewer, Object.keys(fields), () => {
+    for (const [name, field] of Object.entries(fields)) field.value = attributeOf(viewer, name);
+  });
+}
+
+/** Has fields set attributes of the viewer, by whose names they have their ids, and show them. */
+export function bindAttributes(viewer: GeodesicVoronoiElement, ...names: string[]): void {
+  for (const name of names) {
+    const field = byId(name, HTMLElement) as Field;
+    field.addEventListener('change', () => {
+      if (field.reportValidity()) viewer.setAttribute(name, field.value);
+    });
+    showAttributes(viewer, { [name]: field });
+  }
 }
 
 /** Calls back with the `detail` of each event of the viewer. */

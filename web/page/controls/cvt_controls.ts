@@ -4,7 +4,7 @@
 
 import type { CvtStatus, GeodesicVoronoiElement } from '../../viewer/element.js';
 import type { CvtReadings } from '../readings/cvt_readings.js';
-import { byId, listen, onClick } from '../base/dom.js';
+import { bindAttributes, listen, onClick } from '../base/dom.js';
 
 /** The centroidal tessellation: playing it, and how far it has come. */
 export function setUpCvtControls(viewer: GeodesicVoronoiElement, readings: CvtReadings): void {
@@ -22,16 +22,7 @@ const actions: Record<CvtStatus, string> = {
 };
 
 function setUpPlaying(viewer: GeodesicVoronoiElement): void {
-  const fields = {
-    'cvt-method': byId('cvt-method', HTMLSelectElement),
-    'cvt-iterations': byId('cvt-iterations', HTMLInputElement),
-    'cvt-tolerance': byId('cvt-tolerance', HTMLSelectElement),
-  };
-  for (const [name, field] of Object.entries(fields)) {
-    field.addEventListener('change', () => {
-      if (field.reportValidity()) viewer.setAttribute(name, field.value);
-    });
-  }
+  bindAttributes(viewer, 'cvt-method', 'cvt-iterations', 'cvt-tolerance');
   const isRunning = () => viewer.cvtStatus === 'running';
   // In the exploded view, one would not see it play.
   const endExplodedView = () => {

@@ -3,7 +3,7 @@
 // The controls of density: a brush, curvature, none.
 
 import type { GeodesicVoronoiElement } from '../../viewer/element.js';
-import { byId, listen, onClick } from '../base/dom.js';
+import { bindAttributes, byId, listen, onClick } from '../base/dom.js';
 import { showFailure } from '../base/messages.js';
 
 /** Layers that cover the surface, and with it the density. */
@@ -28,15 +28,7 @@ export function setUpDensityControls(viewer: GeodesicVoronoiElement): void {
       : ofSites;
   });
   endPainting(viewer, paint);
-  const fields = {
-    'brush-density': byId('brush-density', HTMLSelectElement),
-    'brush-size': byId('brush-size', HTMLInputElement),
-  };
-  for (const [name, field] of Object.entries(fields)) {
-    const adopt = () => viewer.setAttribute(name, field.value);
-    field.addEventListener('change', adopt);
-    adopt();
-  }
+  bindAttributes(viewer, 'brush-density', 'brush-size');
   onClick('density-curvature', async () => {
     const { mesh } = viewer;
     try {

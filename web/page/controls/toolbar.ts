@@ -4,7 +4,7 @@
 
 import { attributeOf } from '../../viewer/attributes/attribute_defaults.js';
 import type { GeodesicVoronoiElement } from '../../viewer/element.js';
-import { byId, listen, onClick } from '../base/dom.js';
+import { byId, listen, onClick, watchAttributes } from '../base/dom.js';
 
 const axes = ['y', 'z', 'x'];
 
@@ -37,8 +37,7 @@ function setUpAxis(viewer: GeodesicVoronoiElement): void {
     if (name) name.textContent = letter;
     button.ariaLabel = `Upward axis: ${letter}`;
   };
-  new MutationObserver(tell).observe(viewer, { attributeFilter: ['up'] });
-  tell();
+  watchAttributes(viewer, ['up'], tell);
 }
 
 function setUpFullscreen(): void {

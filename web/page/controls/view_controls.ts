@@ -5,7 +5,7 @@
 import { mostMislabelled } from 'geodesic-voronoi';
 import { attributeOf } from '../../viewer/attributes/attribute_defaults.js';
 import { type GeodesicVoronoiElement, type Layer, layers } from '../../viewer/element.js';
-import { byId, listen, onClick } from '../base/dom.js';
+import { bindAttributes, byId, listen, onClick, watchAttributes } from '../base/dom.js';
 import { hasNote, showNote, showNoteOnSites } from '../base/messages.js';
 import { faultsOf, repairDual } from './valid_dual.js';
 
@@ -136,26 +136,20 @@ function setUpExploded(viewer: GeodesicVoronoiElement): void {
     chips.disabled = viewer.exploded > 0; // it shows regions alone, whatever the layers
     if (viewer.exploded === 0) endNote();
   };
-  show();
-  new MutationObserver(show).observe(viewer, { attributeFilter: ['exploded'] });
+  watchAttributes(viewer, ['exploded'], show);
 }
 
 function setUpDistance(viewer: GeodesicVoronoiElement): void {
   const radios = [...document.querySelectorAll<HTMLInputElement>('input[name="metric"]')];
-  const detail = byId('detail', HTMLSelectElement);
   for (const radio of radios) {
     radio.addEventListener('change', () => viewer.setAttribute('metric', radio.value));
   }
-  detail.addEventListener('change', () => viewer.setAttribute('detail', detail.value));
-
   // The viewer goes back to what it shows if the choice fails or is cancelled.
-  const show = () => {
+  watchAttributes(viewer, ['metric'], () => {
     const metric = attributeOf(viewer, 'metric');
     for (const radio of radios) radio.checked = radio.value === metric;
-    detail.value = attributeOf(viewer, 'detail');
-  };
-  show(); // A link may have set them.
-  new MutationObserver(show).observe(viewer, { attributeFilter: ['metric', 'detail'] });
+  });
+  bindAttributes(viewer, 'detail');
 
   listen(viewer, 'load', () => {
     const offer = () => void offerFinerTriangles(viewer);

@@ -2,7 +2,7 @@
 //
 // Makes the files of the download menu. This code is fetched with the first download.
 
-import type { Diagram, DiagramData, Mesh } from 'geodesic-voronoi';
+import type { AttributeSource, Diagram, DiagramData } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement, Status } from '../../viewer/element.js';
 import { linear } from '../../viewer/buffers/colour_vision.js';
 import { encode } from './encoding.js';
@@ -10,10 +10,9 @@ import { outlinesSvg } from './outline_svg.js';
 import { sitesCsv, sitesJson } from '../model/sites_file.js';
 import { faultsOf } from '../controls/valid_dual.js';
 
-type Source = Pick<Mesh, 'positions' | 'indices' | 'normals' | 'uvs'>;
 type Encoder = (
   diagram: Diagram,
-  options: { mesh?: Source },
+  options: { mesh?: AttributeSource },
   viewer: GeodesicVoronoiElement,
 ) => Blob | Promise<Blob>;
 
@@ -101,7 +100,7 @@ function polygonEncoders(primal: boolean): Record<string, Encoder> {
 }
 
 /** The arrays of a mesh that files need; no others, to avoid copies. */
-function sourceOf({ mesh }: GeodesicVoronoiElement): Source | undefined {
+function sourceOf({ mesh }: GeodesicVoronoiElement): AttributeSource | undefined {
   if (!mesh) return undefined;
   const { positions, indices, normals, uvs } = mesh;
   return { positions, indices, normals, uvs };

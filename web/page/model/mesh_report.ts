@@ -3,14 +3,16 @@
 // The panel's report on the mesh, and the fields that say how it is made of its file.
 
 import { type MeshInfo, repairSentences } from 'geodesic-voronoi';
+import { buildAttributes } from '../../viewer/attributes/attribute_defaults.js';
 import type { GeodesicVoronoiElement } from '../../viewer/element.js';
-import { byId, listen, showAttributes } from '../base/dom.js';
+import { bindAttributes, byId, listen } from '../base/dom.js';
 import { showNote } from '../base/messages.js';
 import { counted, integer, measure } from '../base/numbers.js';
 
 /** Sets up the report on the mesh and the options by which it is built from its file. */
 export function setUpMeshReport(viewer: GeodesicVoronoiElement): void {
-  setUpBuild(viewer);
+  // A change opens the model anew.
+  bindAttributes(viewer, ...buildAttributes);
   const report = byId('report', HTMLElement);
   const repairs = byId('repairs', HTMLElement);
   listen(viewer, 'load', ({ info }) => {
@@ -32,22 +34,6 @@ export function setUpMeshReport(viewer: GeodesicVoronoiElement): void {
       );
     }
   });
-}
-
-/** A change opens the model anew. */
-function setUpBuild(viewer: GeodesicVoronoiElement): void {
-  const fields = {
-    'max-edge': byId('max-edge', HTMLInputElement),
-    weld: byId('weld', HTMLSelectElement),
-    orientation: byId('orientation', HTMLSelectElement),
-    'min-component': byId('min-component', HTMLInputElement),
-  };
-  for (const [name, field] of Object.entries(fields)) {
-    field.addEventListener('change', () => {
-      if (field.reportValidity()) viewer.setAttribute(name, field.value);
-    });
-  }
-  showAttributes(viewer, fields);
 }
 
 function factsOf(info: MeshInfo): [string, string][] {

@@ -2,7 +2,7 @@
 //
 // Sites as a file.
 
-import type { SurfacePoints } from 'geodesic-voronoi';
+import { pointsJson, type SurfacePoints } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../../viewer/element.js';
 import { maxHeaderBytes, readPlyHeader } from '../../../dist/input/ply_header.js';
 import { readPointsFile } from '../../../dist/input/points_reader.js';
@@ -15,19 +15,9 @@ import { counted, integer, measure } from '../base/numbers.js';
 /** How far places are from the surface before it is told, in diagonals of the model. */
 const mostFar = 0.05;
 
-/** The JSON form of sites, as the page and the command write it. */
-interface SitesJson {
-  mesh: { faces: number };
-  face: number[];
-  bary: number[];
-}
-
-export function sitesJson({ sites, info }: GeodesicVoronoiElement): SitesJson {
-  return {
-    mesh: { faces: info?.inputFaces ?? 0 },
-    face: [...sites.face],
-    bary: [...sites.bary],
-  };
+/** Sites as the page and the command write them. */
+export function sitesJson({ sites, info }: GeodesicVoronoiElement): object {
+  return { mesh: { faces: info?.inputFaces }, ...pointsJson(sites) };
 }
 
 /** A table of coordinates, as the command writes it. */
