@@ -25,24 +25,11 @@ export type * from './api/types.js';
 export type { CompileOptions, ErrorCode, LoadOptions, Modules };
 export { GeodesicVoronoiError };
 export { gltfResourceUris } from './input/gltf_document.js';
-export {
-  type FindModelOptions,
-  type FoundModel,
-  findModel,
-  listModels,
-} from './library/find_model.js';
+export * from './library/find_model.js';
 export type { LengthsJson, PlacedPointsJson, SurfacePointsJson } from './output/json_forms.js';
 export { pointsJson } from './output/json_forms.js';
-export type { DiagramArrays, DiagramJson } from './output/diagram_formats.js';
-export { diagramGlb, diagramJson, diagramObj } from './output/diagram_formats.js';
-export type { DistancesFileOptions, DistancesJson, PathsJson } from './output/distance_formats.js';
-export {
-  distancesGlb,
-  distancesJson,
-  distancesPly,
-  pathsJson,
-  pathsObj,
-} from './output/distance_formats.js';
+export * from './output/diagram_formats.js';
+export * from './output/distance_formats.js';
 export type {
   AttributeSource,
   FileOptions,
@@ -57,7 +44,6 @@ export type {
   PartitionLayout,
   PartitionStlOptions,
 } from './output/partition_formats.js';
-export type { PolygonMeshJson } from './output/polygon_formats.js';
 export {
   partitionGlb,
   partitionJson,
@@ -65,14 +51,8 @@ export {
   partitionPly,
   partitionStl,
 } from './output/partition_formats.js';
+export * from './output/polygon_formats.js';
 export { repairSentences } from './base/sentences.js';
-export {
-  polygonGlb,
-  polygonJson,
-  polygonObj,
-  polygonPly,
-  polygonStl,
-} from './output/polygon_formats.js';
 
 /**
  * The library on the calling thread. Long work is done in slices of about 12 ms; the guide names the
