@@ -95,10 +95,7 @@ class Merge {
 
   constructor(before: Pieces, changes: readonly DiagramChange[]) {
     const all = [before, ...changes.map(({ part }) => part)];
-    this.#points = new MergedPoints(
-      total(all, ({ points }) => points.face.length),
-      changes.map(({ part }) => part.points.face),
-    );
+    this.#points = new MergedPoints(changes.map(({ part }) => part.points.face));
     this.#sources = all.map((arrays, order) => ({
       order,
       arrays,
@@ -120,12 +117,12 @@ class Merge {
   }
 
   #lines(): Pick<DiagramData, 'segments' | 'arcs'> {
-    const arcs = this.#lists((arrays) => arrays.arcs);
-    const arcLabels = this.#numbers((arrays) => arrays.arcs.labels);
-    const points = this.#numbers((arrays) => arrays.segments.points);
-    const labels = this.#numbers((arrays) => arrays.segments.labels);
-    const face = this.#numbers((arrays) => arrays.segments.face);
-    const arc = this.#numbers((arrays) => arrays.segments.arc);
+    const arcs = new ListsBuilder();
+    const arcLabels = integers();
+    const points = integers();
+    const labels = integers();
+    const face = integers();
+    const arc = integers();
     for (const { order, arrays, pointOf } of this.#sources) {
       const arcOf = new Int32Array(arrays.arcs.offset.length - 1).fill(-1);
       for (let i = 0; i < arcOf.length; ++i) {
@@ -159,9 +156,9 @@ class Merge {
   }
 
   #voronoiPoints(): DiagramData['voronoiPoints'] {
-    const point = this.#numbers(({ voronoiPoints }) => voronoiPoints.point);
-    const labelOffset = this.#numbers(({ voronoiPoints }) => voronoiPoints.labelOffset);
-    const labels = this.#numbers(({ voronoiPoints }) => voronoiPoints.labels);
+    const point = integers();
+    const labelOffset = integers();
+    const labels = integers();
     labelOffset.push(0);
     for (const { order, arrays, pointOf } of this.#sources) {
       const { voronoiPoints } = arrays;
@@ -193,7 +190,7 @@ class Merge {
   }
 
   #cells(): DiagramData['cells'] {
-    const label = this.#numbers(({ cells }) => cells.label);
+    const label = integers();
     const { lists, keys } = this.#inOrder(
       ({ cells }) => cells,
       ({ cells }) => cells.face,
@@ -204,27 +201,11 @@ class Merge {
   }
 
   #indifferentFaces(): Int32Array<ArrayBuffer> {
-    const faces = this.#numbers(({ indifferentFaces }) => indifferentFaces);
+    const faces = integers();
     for (const { order, arrays } of this.#sources)
       for (const face of arrays.indifferentFaces)
         if (this.#lastOfFace.of(face) <= order) faces.push(face);
     return faces.toArray().sort();
-  }
-
-  /** An array with room for all numbers of all sources. */
-  #numbers(of: (arrays: Pieces) => Int32Array): GrowingArray<Int32Array<ArrayBuffer>> {
-    return new GrowingArray(
-      Int32Array,
-      total(this.#sources, ({ arrays }) => of(arrays).length),
-    );
-  }
-
-  /** Lists with room for all of all sources. */
-  #lists(of: (arrays: Pieces) => PointLists): ListsBuilder {
-    return new ListsBuilder(
-      this.#numbers((arrays) => of(arrays).offset),
-      this.#numbers((arrays) => of(arrays).points),
-    );
   }
 
   /**
@@ -237,8 +218,8 @@ class Merge {
     last: LastChange,
     taken: (arrays: Pieces, i: number) => void = () => {},
   ): { lists: PointLists; keys: Int32Array<ArrayBuffer> } {
-    const lists = this.#lists(listsOf);
-    const keys = this.#numbers(keyOf);
+    const lists = new ListsBuilder();
+    const keys = integers();
     const take = ({ arrays, pointOf }: Source, i: number) => {
       lists.add(listsOf(arrays), i, pointOf);
       keys.push(keyOf(arrays)[i]);
@@ -282,24 +263,20 @@ class LastChange {
   }
 }
 
-function total<Item>(items: readonly Item[], count: (item: Item) => number): number {
-  return items.reduce((sum, item) => sum + count(item), 0);
+function integers(): GrowingArray<Int32Array<ArrayBuffer>> {
+  return new GrowingArray(Int32Array);
 }
 
 /** Collects the points that a merged diagram refers to, each place once. */
 class MergedPoints {
-  readonly #face: GrowingArray<Int32Array<ArrayBuffer>>;
-  readonly #bary: GrowingArray<Float64Array<ArrayBuffer>>;
-  readonly #position: GrowingArray<Float64Array<ArrayBuffer>>;
+  readonly #face = integers();
+  readonly #bary = new GrowingArray<Float64Array<ArrayBuffer>>(Float64Array);
+  readonly #position = new GrowingArray<Float64Array<ArrayBuffer>>(Float64Array);
   /** By face, if several sources may have points there at the same place: its points so far. */
-  readonly #shared: Map<number, { point: number; b0: number; b1: number }[]>;
+  readonly #shared = new Map<number, { point: number; b0: number; b1: number }[]>();
 
-  /** At most so many points; only in faces that changes have points in may two sources share one. */
-  constructor(most: number, changedFaces: readonly Int32Array[]) {
-    this.#face = new GrowingArray(Int32Array, most);
-    this.#bary = new GrowingArray(Float64Array, 3 * most);
-    this.#position = new GrowingArray(Float64Array, 3 * most);
-    this.#shared = new Map();
+  /** Only in faces that changes have points in may two sources share one. */
+  constructor(changedFaces: readonly Int32Array[]) {
     for (const faces of changedFaces) for (const face of faces) this.#shared.set(face, []);
   }
 
@@ -342,16 +319,10 @@ class MergedPoints {
 }
 
 class ListsBuilder {
-  readonly #offset: GrowingArray<Int32Array<ArrayBuffer>>;
-  readonly #points: GrowingArray<Int32Array<ArrayBuffer>>;
+  readonly #offset = integers();
+  readonly #points = integers();
 
-  /** Of two empty arrays. */
-  constructor(
-    offset: GrowingArray<Int32Array<ArrayBuffer>>,
-    points: GrowingArray<Int32Array<ArrayBuffer>>,
-  ) {
-    this.#offset = offset;
-    this.#points = points;
+  constructor() {
     this.#offset.push(0);
   }
 

@@ -198,31 +198,16 @@ function finite(x: number): number {
 
 /** Joins lists of vertices; each attribute is in all of them or in none. */
 export function joinedVertices(lists: FileVertices[]): FileVertices {
-  const concat = <List extends Int32Array | Float32Array>(
-    type: { new (length: number): List },
-    parts: List[],
-  ) => {
-    const whole = new type(parts.reduce((sum, { length }) => sum + length, 0));
-    let offset = 0;
-    for (const part of parts) {
-      whole.set(part, offset);
-      offset += part.length;
-    }
-    return whole;
-  };
-  const attribute = (name: 'normals' | 'uvs') =>
-    lists[0][name] && {
-      [name]: concat(
-        Float32Array,
-        lists.map((list) => list[name]!),
-      ),
-    };
-  return {
-    points: concat(
-      Int32Array,
-      lists.map(({ points }) => points),
-    ),
-    ...attribute('normals'),
-    ...attribute('uvs'),
-  };
+  const count = lists.reduce((sum, { points }) => sum + points.length, 0);
+  const points = new Int32Array(count);
+  const normals = lists[0].normals && new Float32Array(3 * count);
+  const uvs = lists[0].uvs && new Float32Array(2 * count);
+  let at = 0;
+  for (const list of lists) {
+    points.set(list.points, at);
+    normals?.set(list.normals!, 3 * at);
+    uvs?.set(list.uvs!, 2 * at);
+    at += list.points.length;
+  }
+  return { points, ...(normals && { normals }), ...(uvs && { uvs }) };
 }
