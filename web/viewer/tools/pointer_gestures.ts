@@ -2,32 +2,11 @@
 //
 // Tells clicks, drags and long presses apart.
 
+import { pointerReach, type SurfaceTools } from './surface_tools.js';
+
 /** A press that moves farther than this, in CSS pixels, is a drag and never a click. */
 const clickRadius = 4;
 const longPressMilliseconds = 600;
-/** How far from a site, in CSS pixels, a pointer that is no finger takes hold of it. */
-export const pointerReach = 10;
-
-/** The actions behind gestures; places are on the page, sites are given by their identity. */
-export interface GestureTarget {
-  /** The site drawn there, not farther than the reach of a finger or of a pointer. */
-  siteAt(x: number, y: number, reach: number): number | undefined;
-  select(site: number): void;
-  /** Whether a stroke of a brush begins there, rather than anything else. */
-  beginStroke(x: number, y: number): boolean;
-  stroke(x: number, y: number): void;
-  endStroke(): void;
-  move(site: number, x: number, y: number): void;
-  endMove(): void;
-  cancelMove(): void;
-  remove(site: number): void;
-  /** A click beside all sites. */
-  click(x: number, y: number): void;
-  /** Zooming begins, towards this place. */
-  approach(x: number, y: number): void;
-  hover(x: number, y: number): void;
-  leave(): void;
-}
 
 interface Press {
   event: PointerEvent;
@@ -46,16 +25,16 @@ interface Press {
  */
 export class PointerGestures {
   readonly #canvas: HTMLCanvasElement;
-  readonly #target: GestureTarget;
+  readonly #tools: SurfaceTools;
   readonly #listening = new AbortController();
   #press: Press | undefined;
   #longPress = 0;
   #isHandingOver = false;
 
   /** Must be made before the camera's controls, or these see a press on a site first. */
-  constructor(canvas: HTMLCanvasElement, target: GestureTarget) {
+  constructor(canvas: HTMLCanvasElement, tools: SurfaceTools) {
     this.#canvas = canvas;
-    this.#target = target;
+    this.#tools = tools;
     const { signal } = this.#listening;
     const listen = (type: string, listener: (event: PointerEvent) => void, capture = false) =>
       canvas.addEventListener(type, listener as EventListener, { signal, capture });
@@ -64,8 +43,8 @@ export class PointerGestures {
     listen('pointerup', (event) => this.#up(event));
     listen('pointercancel', () => this.cancel());
     // A lifted finger also "leaves", but the reader still wants to see what it pointed at.
-    listen('pointerleave', ({ pointerType }) => pointerType !== 'touch' && this.#target.leave());
-    listen('wheel', ({ clientX, clientY }) => this.#target.approach(clientX, clientY));
+    listen('pointerleave', ({ pointerType }) => pointerType !== 'touch' && this.#tools.leave());
+    listen('wheel', ({ clientX, clientY }) => this.#tools.approach(clientX, clientY));
     listen('contextmenu', (event) => event.preventDefault());
   }
 
@@ -75,8 +54,8 @@ export class PointerGestures {
 
   /** Forgets the press; a site that was dragged returns. */
   cancel(): void {
-    if (this.#press?.site === 'brush') this.#target.endStroke();
-    else if (this.dragging) this.#target.cancelMove();
+    if (this.#press?.site === 'brush') this.#tools.endStroke();
+    else if (this.dragging) this.#tools.cancelMove();
     this.#end();
   }
 
@@ -92,13 +71,13 @@ export class PointerGestures {
       const { site, event: first, x, y } = this.#press;
       this.cancel();
       if (site !== undefined) this.#handOver(first);
-      this.#target.approach((x + event.clientX) / 2, (y + event.clientY) / 2);
+      this.#tools.approach((x + event.clientX) / 2, (y + event.clientY) / 2);
       return;
     }
     const { clientX: x, clientY: y, pointerId: pointer } = event;
     const site = isPlain(event) ? this.#grasped(x, y, reachOf(event)) : undefined;
     this.#press = { event, pointer, x, y, site, moved: false };
-    if (event.pointerType === 'touch') this.#target.hover(x, y);
+    if (event.pointerType === 'touch') this.#tools.hover(x, y);
     if (site === undefined) return;
 
     event.stopImmediatePropagation();
@@ -109,7 +88,7 @@ export class PointerGestures {
     if (event.pointerType !== 'mouse') {
       this.#longPress = window.setTimeout(() => {
         this.#end();
-        this.#target.remove(site);
+        this.#tools.remove(site);
       }, longPressMilliseconds);
     }
   }
@@ -122,41 +101,41 @@ export class PointerGestures {
   }
 
   #grasped(x: number, y: number, reach: number): number | 'brush' | undefined {
-    return this.#target.beginStroke(x, y) ? 'brush' : this.#target.siteAt(x, y, reach);
+    return this.#tools.beginStroke(x, y) ? 'brush' : this.#tools.siteAt(x, y, reach);
   }
 
   #moveTo(event: PointerEvent): void {
     const { clientX: x, clientY: y } = event;
     const press = this.#press;
     if (!press) {
-      this.#target.hover(x, y);
+      this.#tools.hover(x, y);
       return;
     }
     if (event.pointerId !== press.pointer) return;
     if (!press.moved && Math.hypot(x - press.x, y - press.y) <= clickRadius) return;
     // Not before: a second finger makes a pinch of the press.
-    if (!press.moved && typeof press.site === 'number') this.#target.select(press.site);
+    if (!press.moved && typeof press.site === 'number') this.#tools.select(press.site);
     press.moved = true;
     clearTimeout(this.#longPress);
-    if (press.site === 'brush') this.#target.stroke(x, y);
-    else if (press.site !== undefined) this.#target.move(press.site, x, y);
-    else this.#target.hover(x, y);
+    if (press.site === 'brush') this.#tools.stroke(x, y);
+    else if (press.site !== undefined) this.#tools.move(press.site, x, y);
+    else this.#tools.hover(x, y);
   }
 
   #up(event: PointerEvent): void {
     const press = this.#press;
     if (!press || event.pointerId !== press.pointer) return;
-    if (press.site === 'brush') this.#target.endStroke();
-    else if (press.site !== undefined && press.moved) this.#target.endMove();
-    else if (press.site !== undefined) this.#target.select(press.site);
+    if (press.site === 'brush') this.#tools.endStroke();
+    else if (press.site !== undefined && press.moved) this.#tools.endMove();
+    else if (press.site !== undefined) this.#tools.select(press.site);
     this.#end();
     if (press.moved || press.site !== undefined) return;
     const { clientX: x, clientY: y } = event;
     if (isPlain(event)) {
-      this.#target.click(x, y);
+      this.#tools.click(x, y);
     } else if (event.button === 2) {
-      const site = this.#target.siteAt(x, y, reachOf(event));
-      if (site !== undefined) this.#target.remove(site);
+      const site = this.#tools.siteAt(x, y, reachOf(event));
+      if (site !== undefined) this.#tools.remove(site);
     }
   }
 

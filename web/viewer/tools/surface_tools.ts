@@ -8,11 +8,12 @@ import { brushRing } from './brush_ring.js';
 import type { Hover } from './hover.js';
 import type { OpenModel } from '../model/open_model.js';
 import type { SurfaceHit } from '../model/picking.js';
-import { type GestureTarget, pointerReach } from './pointer_gestures.js';
 import type { Session } from '../session/session.js';
 import type { SitePlace } from '../session/site_history.js';
 import type { Stage } from '../stage/stage.js';
 
+/** How far from a site, in CSS pixels, a pointer that is no finger takes hold of it. */
+export const pointerReach = 10;
 /** How far a site can be grasped at most, as a share of the distance to the nearest other one. */
 const reachShare = 0.25;
 
@@ -42,8 +43,11 @@ export interface Workpiece {
   readonly hint: (sentence: string) => void;
 }
 
-/** The tools of the pointer on the surface: add, drag and remove sites, paint density, hover. */
-export class SurfaceTools implements GestureTarget {
+/**
+ * The tools of the pointer on the surface: add, drag and remove sites, paint density, hover. Places
+ * x, y are on the page; sites are given by their identity.
+ */
+export class SurfaceTools {
   readonly #work: Workpiece;
   /** Where the pointer was last, on the page. */
   #pointer: { x: number; y: number } | undefined;
@@ -120,6 +124,7 @@ export class SurfaceTools implements GestureTarget {
     this.#work.selection.select(site);
   }
 
+  /** Whether a stroke of a brush begins there, rather than anything else. */
   beginStroke(x: number, y: number): boolean {
     const { attributes, stage } = this.#work;
     const isBrush = attributes.interactive.edit && attributes.isPainting;
@@ -168,11 +173,13 @@ export class SurfaceTools implements GestureTarget {
     this.#work.edit(() => this.#work.session.removeSite(site));
   }
 
+  /** A click beside all sites. */
   click(x: number, y: number): void {
     const { attributes, stage } = this.#work;
     if (attributes.interactive.edit) this.useAt(stage.toDevice(x, y));
   }
 
+  /** Zooming begins, towards this place. */
   approach(x: number, y: number): void {
     this.approachAt(this.#work.stage.toDevice(x, y));
   }
