@@ -3,18 +3,16 @@
 // What stands behind the objects that callers hold: the library on this thread (`LocalEngine`) or
 // in a worker (`startWorkerEngine`).
 
-import type {
-  CvtMethod,
-  DiagramData,
-  MeshInfo,
-  MeshPart,
-  Metric,
-  Orientation,
-  SurfacePoints,
-} from '../api/results.js';
+import type { DiagramData, MeshInfo, MeshPart, SurfacePoints } from '../api/results.js';
 import type { FileInput } from '../input/read_model.js';
 import type { Triangles } from '../base/triangles.js';
-import type { TaskOptions, WasmSource } from '../api/options.js';
+import type {
+  CvtOptions,
+  MeshOptions,
+  TaskOptions,
+  VoronoiOptions,
+  WasmSource,
+} from '../api/options.js';
 import type { CvtState } from '../api/types.js';
 import type { Argument } from '../base/wasm_module.js';
 
@@ -31,13 +29,13 @@ export interface EngineSources {
  */
 export type Handle = number;
 
-/** How a mesh is made of triangles: options of `MeshOptions`, all given. */
-export interface MeshBuild {
-  maxEdge: number;
-  weld: number;
-  orientation: Orientation;
-  minComponent: number;
-}
+/** Options that are all given. */
+type Given<Options> = { [Name in keyof Options]-?: Exclude<Options[Name], undefined> };
+
+/** How a mesh is made of triangles. */
+export type MeshBuild = Given<
+  Pick<MeshOptions, 'maxEdge' | 'weld' | 'orientation' | 'minComponent'>
+>;
 
 /** An opened mesh; `triangles` is given if they came from files or were subdivided. */
 export interface OpenedMesh {
@@ -48,10 +46,7 @@ export interface OpenedMesh {
 }
 
 /** How a diagram is made. */
-export interface DiagramForm {
-  metric: Metric;
-  detail: number;
-}
+export type DiagramForm = Given<Pick<VoronoiOptions, 'metric' | 'detail'>>;
 
 export interface OpenedDiagram {
   handle: Handle;
@@ -59,12 +54,10 @@ export interface OpenedDiagram {
 }
 
 /** How sites move to centroids. */
-export interface CvtSettings {
-  method: CvtMethod;
-  metric: Metric;
-  iterations: number;
-  energyTolerance: number;
-  moveTolerance: number;
+export interface CvtSettings
+  extends Given<
+    Pick<CvtOptions, 'method' | 'metric' | 'iterations' | 'energyTolerance' | 'moveTolerance'>
+  > {
   /** Per input vertex; empty: uniform. */
   density: Float64Array;
   fixedSites: Int32Array;
@@ -75,10 +68,6 @@ export function cvtArguments(settings: CvtSettings): Argument[] {
   const { method, metric, iterations, energyTolerance, moveTolerance, density, fixedSites } =
     settings;
   return [method, metric, iterations, energyTolerance, moveTolerance, density, fixedSites];
-}
-
-export interface OpenedCvt {
-  handle: Handle;
 }
 
 /**
@@ -126,7 +115,7 @@ export interface Engine {
     sites: SurfacePoints,
     settings: CvtSettings,
     task: TaskOptions,
-  ): Promise<OpenedCvt>;
+  ): Promise<{ handle: Handle }>;
   /** The next iteration, beginning with number 0; undefined after the last one. */
   advanceCvt(cvt: Handle, form: CvtForm, task: TaskOptions): Promise<AdvancedCvt | undefined>;
   /** Frees a mesh, a diagram or a tessellation. The diagrams and tessellations of a mesh stay. */

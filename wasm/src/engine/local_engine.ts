@@ -13,7 +13,6 @@ import {
   type EngineSources,
   type Handle,
   type MeshBuild,
-  type OpenedCvt,
   type OpenedDiagram,
   type OpenedMesh,
   settled,
@@ -137,8 +136,9 @@ export class LocalEngine implements Engine {
     given: Triangles,
     parts: MeshPart[],
     { maxEdge, weld, orientation, minComponent }: MeshBuild,
-    { signal, onProgress }: TaskOptions,
+    task: TaskOptions,
   ): Promise<OpenedMesh> {
+    const { signal, onProgress } = task;
     const core = this.#open();
     const arrays = core.call('newMeshArrays', given.positions.length, given.indices.length);
     try {
@@ -149,10 +149,7 @@ export class LocalEngine implements Engine {
           : undefined;
       const triangles = cut && subdividedTriangles(given, cut);
       const args = [arrays, weld, orientation, minComponent];
-      const { mesh, ...counts } = await this.#answer<CreatedMesh>('createMesh', args, {
-        signal,
-        onProgress,
-      });
+      const { mesh, ...counts } = await this.#answer<CreatedMesh>('createMesh', args, task);
       const info: MeshInfo = {
         ...counts,
         origin: { format: 'arrays', file: '' },
@@ -222,15 +219,13 @@ export class LocalEngine implements Engine {
     owner: Handle,
     { face, bary }: SurfacePoints,
     { metric, detail }: DiagramForm,
-    { signal, onProgress }: TaskOptions,
+    task: TaskOptions,
   ): Promise<OpenedDiagram> {
+    const { signal, onProgress } = task;
     signal?.throwIfAborted();
     const mesh = this.#pointer(this.#meshOf(owner));
     const args = [mesh, face, bary, metric, detail];
-    const { voronoi } = await this.#answer<{ voronoi: Pointer }>('createVoronoi', args, {
-      signal,
-      onProgress,
-    });
+    const { voronoi } = await this.#answer<{ voronoi: Pointer }>('createVoronoi', args, task);
     const core = this.#open();
     try {
       const data = await this.#answer<DiagramData>('voronoiDiagram', [voronoi], { signal });
@@ -247,7 +242,7 @@ export class LocalEngine implements Engine {
     { face, bary }: SurfacePoints,
     settings: CvtSettings,
     { signal }: TaskOptions,
-  ): Promise<OpenedCvt> {
+  ): Promise<{ handle: Handle }> {
     signal?.throwIfAborted();
     const args = [this.#pointer(mesh), face, bary, ...cvtArguments(settings)];
     const pointer = this.#open().call('startCvt', ...args);

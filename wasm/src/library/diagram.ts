@@ -61,6 +61,18 @@ export class EngineDiagram implements Diagram {
     this.#object = new EngineObject('diagram', engine, handle);
   }
 
+  /** The diagram of sites on a mesh, or on that of another diagram. */
+  static async open(
+    object: EngineObject,
+    form: DiagramForm,
+    sites: SurfacePoints,
+    task: TaskOptions,
+  ): Promise<EngineDiagram> {
+    const { engine } = object;
+    const opened = await object.ask((handle) => engine.openDiagram(handle, sites, form, task));
+    return new EngineDiagram(engine, form, sites, opened);
+  }
+
   get metric(): Metric {
     return this.#form.metric;
   }
@@ -257,18 +269,10 @@ export class EngineDiagram implements Diagram {
       const finding = partOf(task, 0, shareOfSites);
       return this.#object.call<SurfacePoints>('repairedSites', [maxAdded], finding);
     });
-    if (sites) return this.#anew(sites, partOf(task, shareOfSites, 1));
+    const rest = partOf(task, shareOfSites, 1);
+    if (sites) return EngineDiagram.open(this.#object, this.#form, sites, rest);
     task.onProgress?.(1);
     return this;
-  }
-
-  /** The diagram of other sites on the same mesh. */
-  async #anew(sites: SurfacePoints, task: TaskOptions): Promise<EngineDiagram> {
-    const { engine } = this.#object;
-    const opened = await this.#object.ask((handle) =>
-      engine.openDiagram(handle, sites, this.#form, task),
-    );
-    return new EngineDiagram(engine, this.#form, sites, opened);
   }
 
   dispose(): void {

@@ -193,11 +193,7 @@ export class EngineMesh implements Mesh {
     const { metric, detail, ...task } = toTaskOptions(options, diagramDefaults);
     const form = checked({ metric, detail });
     const points = await this.#object.onSurface(toPoints('sites', sites), task);
-    const { engine } = this.#object;
-    const opened = await this.#object.ask((handle) =>
-      engine.openDiagram(handle, points, form, task),
-    );
-    return new EngineDiagram(engine, form, points, opened);
+    return EngineDiagram.open(this.#object, form, points, task);
   }
 
   async distances(sites: SurfacePointsInput, options?: DistancesOptions): Promise<Distances> {

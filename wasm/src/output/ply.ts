@@ -2,23 +2,18 @@
 //
 // Writing binary PLY.
 
-const writers = {
-  uchar: { size: 1, write: (view: DataView, at: number, x: number) => view.setUint8(at, x) },
-  int: { size: 4, write: (view: DataView, at: number, x: number) => view.setInt32(at, x, true) },
-  float: {
-    size: 4,
-    write: (view: DataView, at: number, x: number) => view.setFloat32(at, x, true),
-  },
-  double: {
-    size: 8,
-    write: (view: DataView, at: number, x: number) => view.setFloat64(at, x, true),
-  },
-};
+const types = {
+  uchar: { size: 1, setter: 'setUint8' },
+  int: { size: 4, setter: 'setInt32' },
+  float: { size: 4, setter: 'setFloat32' },
+  double: { size: 8, setter: 'setFloat64' },
+} as const;
+type PlyType = keyof typeof types;
 
 /** Columns of a table: names, their type, and the numbers row by row. */
 export interface PlyColumns {
   names: string[];
-  type: keyof typeof writers;
+  type: PlyType;
   values: ArrayLike<number>;
 }
 
@@ -46,15 +41,15 @@ export function ply(
   const bytes = new Uint8Array(
     header.length +
       vertexCount * rowBytes(vertices) +
-      faceCount * (writers[lengthType].size + rowBytes(faces)) +
+      faceCount * (types[lengthType].size + rowBytes(faces)) +
       4 * polygons.points.length,
   );
   bytes.set(header);
   const view = new DataView(bytes.buffer);
   let offset = header.length;
-  const put = (type: keyof typeof writers, x: number) => {
-    writers[type].write(view, offset, x);
-    offset += writers[type].size;
+  const put = (type: PlyType, x: number) => {
+    view[types[type].setter](offset, x, true);
+    offset += types[type].size;
   };
   const putRow = (columns: PlyColumns[], row: number) => {
     for (const { names, type, values } of columns)
@@ -80,5 +75,5 @@ function propertiesOf(columns: PlyColumns[]): string[] {
 }
 
 function rowBytes(columns: PlyColumns[]): number {
-  return columns.reduce((sum, { names, type }) => sum + names.length * writers[type].size, 0);
+  return columns.reduce((sum, { names, type }) => sum + names.length * types[type].size, 0);
 }
