@@ -88,19 +88,17 @@ function tintOf(density: number): number {
 class Adjacency {
   readonly #indices: Int32Array;
   readonly #place: Int32Array;
-  readonly #offset: Int32Array;
-  readonly #corners: Int32Array;
+  readonly #cornersAt: ReturnType<typeof cornersByPlace>;
 
   constructor({ positions, indices }: SceneMesh) {
     this.#indices = indices;
     this.#place = firstAtPlace(positions);
-    const { offset, corners } = cornersByPlace(indices, this.#place);
-    this.#offset = offset;
-    this.#corners = corners;
+    this.#cornersAt = cornersByPlace(indices, this.#place);
   }
 
   /** Visits the vertices connected to a face by vertices that `accept` accepts, each once. */
   flood(startFace: number, accept: (vertex: number) => boolean): void {
+    const { offset, corners } = this.#cornersAt;
     const accepted = new Map<number, boolean>();
     const seen = new Set([startFace]);
     for (const face of seen) {
@@ -112,8 +110,8 @@ class Adjacency {
         if (!isInside) continue;
         const place = this.#place[v];
         // The loop over the set also visits faces added here.
-        for (let i = this.#offset[place]; i < this.#offset[place + 1]; ++i)
-          seen.add(Math.floor(this.#corners[i] / 3));
+        for (let i = offset[place]; i < offset[place + 1]; ++i)
+          seen.add(Math.floor(corners[i] / 3));
       }
     }
   }
