@@ -7,6 +7,7 @@ import { attributeOf } from '../../viewer/attributes/attribute_defaults.js';
 import { type GeodesicVoronoiElement, type Layer, layers } from '../../viewer/element.js';
 import { bindAttributes, byId, listen, onClick, watchAttributes } from '../base/dom.js';
 import { hasNote, showNote, showNoteOnSites } from '../base/messages.js';
+import { make } from '../../viewer/stage/make.js';
 import { faultsOf, repairDual } from './valid_dual.js';
 
 /** The titles of the layers, and hints on what they show. */
@@ -33,16 +34,10 @@ export function setUpViewControls(viewer: GeodesicVoronoiElement): void {
 function setUpLayers(viewer: GeodesicVoronoiElement): void {
   const group = byId('layers', HTMLElement);
   const boxes = layers.map((layer) => {
-    const box = document.createElement('input');
-    box.type = 'checkbox';
-    box.value = layer;
-    box.checked = viewer.layers.includes(layer);
-    const title = document.createElement('span');
-    title.textContent = layerTexts[layer].title;
-    const label = document.createElement('label');
-    label.title = layerTexts[layer].hint;
-    label.append(box, title);
-    group.append(label);
+    const checked = viewer.layers.includes(layer);
+    const box = make('input', { type: 'checkbox', value: layer, checked });
+    const { title, hint } = layerTexts[layer];
+    group.append(make('label', { title: hint }, box, make('span', {}, title)));
     if (isLate(layer)) markUntilDrawn(viewer, box, layer);
     return box;
   });

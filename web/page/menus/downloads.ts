@@ -4,6 +4,7 @@
 
 import type { GeodesicVoronoiElement } from '../../viewer/element.js';
 import { sentence } from '../../viewer/session/failure.js';
+import { make } from '../../viewer/stage/make.js';
 import { byId, listen } from '../base/dom.js';
 import { hideError, showError, showNoteOnSites } from '../base/messages.js';
 import { modelName } from '../state/page_state.js';
@@ -121,34 +122,24 @@ export function setUpDownloads(viewer: GeodesicVoronoiElement): void {
 }
 
 function rowOf(row: Row, choose: (format: string, button: HTMLButtonElement) => void): HTMLElement {
-  const element = document.createElement('div');
-  element.className = 'menu-row';
-  element.role = 'group';
-  element.ariaLabel = row.title;
-  const title = document.createElement('p');
-  title.textContent = row.title;
-  const hint = document.createElement('small');
-  hint.textContent = row.hint;
-  title.append(hint);
-  const formats = document.createElement('div');
-  for (const format of row.formats) {
-    const button = document.createElement('button');
-    button.type = 'button';
-    button.id = `download-${row.name}-${format.replace('×', 'x')}`;
+  const title = make('p', {}, row.title, make('small', {}, row.hint));
+  const formats = row.formats.map((format) => {
+    const button = make('button', {
+      type: 'button',
+      id: `download-${row.name}-${format.replace('×', 'x')}`,
+      textContent: format.toUpperCase(),
+      ariaLabel: `${row.title}, ${format.toUpperCase()}`,
+    });
     button.dataset.name = row.name;
-    button.textContent = format.toUpperCase();
-    button.ariaLabel = `${row.title}, ${format.toUpperCase()}`;
     button.addEventListener('click', () => choose(format, button));
-    formats.append(button);
-  }
-  element.append(title, formats);
-  return element;
+    return button;
+  });
+  const properties = { className: 'menu-row', role: 'group', ariaLabel: row.title };
+  return make('div', properties, title, make('div', {}, ...formats));
 }
 
 function save(blob: Blob, name: string): void {
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(blob);
-  link.download = name;
+  const link = make('a', { href: URL.createObjectURL(blob), download: name });
   link.click();
   // Some browsers begin to read the file only in a later task.
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);

@@ -5,6 +5,7 @@
 import { type MeshInfo, repairSentences } from 'geodesic-voronoi';
 import { buildAttributes } from '../../viewer/attributes/attribute_defaults.js';
 import type { GeodesicVoronoiElement } from '../../viewer/element.js';
+import { make } from '../../viewer/stage/make.js';
 import { bindAttributes, byId, listen } from '../base/dom.js';
 import { showNote } from '../base/messages.js';
 import { counted, integer, measure } from '../base/numbers.js';
@@ -17,9 +18,9 @@ export function setUpMeshReport(viewer: GeodesicVoronoiElement): void {
   const repairs = byId('repairs', HTMLElement);
   listen(viewer, 'load', ({ info }) => {
     report.replaceChildren(
-      ...factsOf(info).flatMap(([term, value]) => [cell('dt', term), cell('dd', value)]),
+      ...factsOf(info).flatMap(([term, value]) => [make('dt', {}, term), make('dd', {}, value)]),
     );
-    repairs.replaceChildren(...sentencesOf(info).map((sentence) => cell('span', sentence)));
+    repairs.replaceChildren(...sentencesOf(info).map((sentence) => make('span', {}, sentence)));
     const { orientationCuts, nonManifoldEdges } = info.repairs;
     const cuts = orientationCuts + nonManifoldEdges;
     if (info.hasOpenSeams) {
@@ -51,10 +52,4 @@ function factsOf(info: MeshInfo): [string, string][] {
 function sentencesOf({ repairs, notes }: MeshInfo): string[] {
   const made = repairSentences(repairs, measure);
   return [...(made.length > 0 ? made : ['No repairs needed']), ...notes].map((text) => `${text}.`);
-}
-
-function cell(tag: string, text: string): HTMLElement {
-  const element = document.createElement(tag);
-  element.textContent = text;
-  return element;
 }

@@ -5,6 +5,7 @@
 import type { ModelFiles } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../../viewer/element.js';
 import { chosenFiles, droppedFiles, lastSegment } from '../../viewer/session/model_files.js';
+import { make } from '../../viewer/stage/make.js';
 import { byId, listen, onClick } from '../base/dom.js';
 import { showError, showNote } from '../base/messages.js';
 import { modelOf, sampleAddress } from '../samples/first_model.js';
@@ -50,7 +51,7 @@ interface Choice {
 class ModelMenu {
   readonly #viewer: GeodesicVoronoiElement;
   readonly #menu = byId('samples', HTMLSelectElement);
-  readonly #ownFiles = document.createElement('optgroup');
+  readonly #ownFiles = make('optgroup', { label: 'Your files' });
   readonly #choices = new Map<HTMLOptionElement, Choice>();
   #shown: Choice;
   /** The model that was chosen last: being opened, or shown already. */
@@ -63,7 +64,6 @@ class ModelMenu {
       open: () => viewer.load(sampleAddress(file)),
       credit,
     }));
-    this.#ownFiles.label = 'Your files';
     this.#menu.replaceChildren();
     for (const choice of choices) this.#add(choice, this.#menu);
     const first = lastSegment(modelOf(location.hash)); // which is on its way

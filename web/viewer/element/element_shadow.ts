@@ -2,6 +2,8 @@
 //
 // The inside of the element: its canvas, and what lies on it.
 
+import { make } from '../stage/make.js';
+
 const style = `
   :host {
     display: block;
@@ -94,8 +96,9 @@ export class ElementShadow {
     this.#hint.setAttribute('role', 'status');
     this.#message.setAttribute('role', 'alert');
     this.canvas.setAttribute('aria-describedby', 'instructions');
-    this.#poster.append(slot('poster', this.#posterImage));
-    this.#progress.append(slot('progress-bar', make('div', { className: 'bar' })));
+    this.#poster.append(make('slot', { name: 'poster' }, this.#posterImage));
+    const bar = make('div', { className: 'bar' });
+    this.#progress.append(make('slot', { name: 'progress-bar' }, bar));
     const parts = {
       canvas: this.canvas,
       aim: this.#aim,
@@ -162,17 +165,4 @@ export class ElementShadow {
     clearTimeout(this.#hintTimer);
     (this.canvas.getRootNode() as ShadowRoot).replaceChildren();
   }
-}
-
-function slot(name: string, fallback: HTMLElement): HTMLSlotElement {
-  const element = make('slot', { name });
-  element.append(fallback);
-  return element;
-}
-
-function make<Tag extends keyof HTMLElementTagNameMap>(
-  tag: Tag,
-  properties: Partial<HTMLElementTagNameMap[Tag]>,
-): HTMLElementTagNameMap[Tag] {
-  return Object.assign(document.createElement(tag), properties);
 }

@@ -6,6 +6,7 @@ import { greatestDensity } from '../model/density_paint.js';
 import { type DistanceScale, distanceColours } from '../drawing/distance_scale.js';
 import { tintColours } from '../buffers/label_colours.js';
 import { measure } from './measure.js';
+import { make } from '../stage/make.js';
 
 const style = `
   .legend {
@@ -75,10 +76,8 @@ export class Legend {
 }
 
 function box(name: string): HTMLElement {
-  const element = document.createElement('div');
-  element.className = `legend ${name}`;
+  const element = make('div', { className: `legend ${name}`, hidden: true });
   element.setAttribute('part', name);
-  element.hidden = true;
   return element;
 }
 
@@ -91,20 +90,10 @@ interface Scale {
 }
 
 function fill(element: HTMLElement, { colours, marks, caption }: Scale): void {
-  const bar = document.createElement('div');
-  bar.className = 'scale';
+  const bar = make('div', { className: 'scale' });
   bar.style.background = `linear-gradient(to right, ${colours.join(', ')})`;
-  const ends = document.createElement('div');
-  ends.className = 'ends';
-  ends.append(...marks.map(span));
-  const text = document.createElement('div');
-  text.append(...caption.map(span));
+  const spans = (texts: readonly string[]) => texts.map((text) => make('span', {}, text));
+  const text = make('div', {}, ...spans(caption));
   text.children[1].className = 'detail';
-  element.replaceChildren(bar, ends, text);
-}
-
-function span(text: string): HTMLSpanElement {
-  const element = document.createElement('span');
-  element.textContent = text;
-  return element;
+  element.replaceChildren(bar, make('div', { className: 'ends' }, ...spans(marks)), text);
 }
