@@ -60,13 +60,15 @@ export function commandHelp(command: CommandName): string {
         !otherwise ? help : `${help} (default: ${otherwise})`,
       ];
     });
+  const choice = "By FILE's ending or --format, by default .json: ";
+  const output = `Output: ${taken.includes('format') ? choice : ''}${result}`;
   return `${summary}
 
 Usage: geodesic-voronoi ${command} MESH${command === 'info' ? '...' : ''} [OPTIONS]
 
 ${table(rows)}
 
-${wrapped(`Output: ${result}`)}
+${wrapped(output)}
 
 Examples:
 ${examples.map((example) => `  geodesic-voronoi ${command} ${example}`).join('\n')}

@@ -254,7 +254,7 @@ const ofAll = [...ofMesh, 'units', 'output', 'json', 'quiet', 'help'] as const;
 
 export interface CommandSpec {
   summary: string;
-  /** The result that -o writes, for the help. */
+  /** The result that -o writes, for the help; where there is --format, by the endings of files. */
   result: string;
   /** Examples of arguments after the command's name. */
   examples: readonly string[];
@@ -271,7 +271,7 @@ export const commands = {
   },
   diagram: {
     summary: 'The geodesic Voronoi diagram of sites on a mesh',
-    result: `By FILE's ending or --format, by default .json: .json (regions, bisectors, Voronoi points), .obj or .glb (the bisectors as lines).`,
+    result: '.json (regions, bisectors, Voronoi points), .obj or .glb (the bisectors as lines).',
     examples: [
       'mesh.glb --sites 300 -o diagram.json',
       'mesh.glb --sites sites.json --detail 2 -o bisectors.obj',
@@ -280,19 +280,22 @@ export const commands = {
   },
   locate: {
     summary: 'The nearest site of points on a mesh, and its distance',
-    result: `By FILE's ending or --format, by default .json: .json {"label": […], "distance": […]} (-1 and null for a point that no site reaches), .csv (the same as columns).`,
+    result:
+      '.json {"label": […], "distance": […]} (-1 and null for a point that no site reaches), .csv (the same as columns).',
     examples: ['mesh.glb --sites sites.json --points points.json -o labels.json'],
     options: [...ofSites, 'points', 'metric', 'progress', 'format', ...ofAll],
   },
   distances: {
     summary: 'The nearest site of every vertex of a mesh, its distance and direction',
-    result: `By FILE's ending or --format, by default .json: .json {"label": […], "distance": […], "direction": […]} (-1 and null where no site reaches), .csv (the same as columns), .ply (properties of the vertices), .glb (attributes _LABEL and _DISTANCE, -1 where no site reaches).`,
+    result:
+      '.json {"label": […], "distance": […], "direction": […]} (-1 and null where no site reaches), .csv (the same as columns), .ply (properties of the vertices), .glb (attributes _LABEL and _DISTANCE, -1 where no site reaches).',
     examples: ['mesh.glb --sites sites.json -o distances.ply'],
     options: [...ofSites, 'metric', 'progress', 'format', ...ofAll],
   },
   path: {
     summary: 'Shortest paths between points on a mesh',
-    result: `By FILE's ending or --format, by default .json: .json {"paths": [{"points", "length"}, …]} (no points and null where there is none), .obj (a polyline each).`,
+    result:
+      '.json {"paths": [{"points", "length"}, …]} (no points and null where there is none), .obj (a polyline each).',
     examples: [
       'mesh.glb --from a.json --to b.json -o path.obj',
       `mesh.glb --from '{"vertex": 0}' --to '{"vertex": 40}'`,
@@ -301,7 +304,8 @@ export const commands = {
   },
   cvt: {
     summary: 'Sites at the centroids of their regions: a centroidal Voronoi tessellation',
-    result: `By FILE's ending or --format, by default .json: .json {"face": […], "bary": […], "position": […], "energy": […]} (the sites, and the energy of the first ones and after each iteration), .ply (the sites as points), .csv (their coordinates).`,
+    result:
+      '.json {"face": […], "bary": […], "position": […], "energy": […]} (the sites, and the energy of the first ones and after each iteration), .ply (the sites as points), .csv (their coordinates).',
     examples: [
       'mesh.glb --sites 300 -o sites.json',
       'mesh.glb --sites sites.json --fixed-sites fixed.json -o new.json',
@@ -312,7 +316,8 @@ export const commands = {
   },
   partition: {
     summary: 'The mesh cut into the regions of sites, watertight where it was',
-    result: `By FILE's ending or --format, by default .json: .glb, .obj (a group per region), .ply (a label and a colour per face), .stl (triangles alone), .json (triangles, and facts of each region).`,
+    result:
+      '.glb, .obj (a group per region), .ply (a label and a colour per face), .stl (triangles alone), .json (triangles, and facts of each region).',
     examples: [
       'mesh.glb --sites 300 -o parts.glb',
       'mesh.glb --sites sites.json --layout features -o parts.glb',
@@ -334,7 +339,8 @@ export const commands = {
   },
   dual: {
     summary: 'The polygonal base mesh of sites: a vertex each, a polygon per Voronoi point',
-    result: `By FILE's ending or --format, by default .json: .obj or .ply (polygons), .glb or .stl (triangles), .json (polygons, sites, and what is wrong with the dual).`,
+    result:
+      '.obj or .ply (polygons), .glb or .stl (triangles), .json (polygons, sites, and what is wrong with the dual).',
     examples: ['mesh.glb --sites 300 --repair -o base.obj'],
     options: [
       ...ofSites,
@@ -351,7 +357,8 @@ export const commands = {
   },
   remesh: {
     summary: 'An isotropic or adaptive remesh: the valid dual of a centroidal tessellation',
-    result: `By FILE's ending or --format, by default .json: .obj or .ply (polygons), .glb or .stl (triangles), .json (polygons, sites and quality). Sites may be added until it is valid.`,
+    result:
+      '.obj or .ply (polygons), .glb or .stl (triangles), .json (polygons, sites and quality). Sites may be added until it is valid.',
     examples: [
       'mesh.glb --sites 1000 -o fine.obj',
       'mesh.glb --sites 1000 --density curvature -o adaptive.obj',
