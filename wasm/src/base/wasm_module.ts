@@ -158,10 +158,21 @@ export class WasmModule {
     }
   }
 
-  /** Copies a finished `Answer` in steps; the caller frees it. */
+  /** Copies a finished `Answer` in steps, from the rows of its `Record`; the caller frees it. */
   *copying<Result>(answer: number): SlicedWork<Result> {
+    const { memory } = this.#exports;
+    const count = this.#exports.answerRowCount(answer);
+    const start = this.#exports.answerRows(answer) >>> 0;
     try {
-      return (yield* this.#copyOut(answer)) as Result;
+      const rows = new Uint32Array(memory.buffer, start, 5 * count).slice();
+      const result = {};
+      for (let i = 0; i < count; ++i) {
+        const [nameAddress, nameLength, address, length, type] = rows.subarray(5 * i);
+        const bytes = new Uint8Array(memory.buffer, nameAddress, nameLength);
+        const name = new TextDecoder().decode(bytes);
+        setValue(result, name, yield* valueAt(memory, address, length, type));
+      }
+      return result as Result;
     } catch (cause) {
       // What an array throws that is too long for the memory there is.
       throw cause instanceof RangeError ? outOfMemory(cause) : cause;
@@ -217,24 +228,6 @@ export class WasmModule {
       new Uint8Array(array.buffer, array.byteOffset, array.byteLength),
     );
     return pointer;
-  }
-
-  /** The object of an `Answer`, from the rows of its `Record`. */
-  *#copyOut(answer: number): SlicedWork<object> {
-    const { memory } = this.#exports;
-    const count = this.#exports.answerRowCount(answer);
-    const rows = new Uint32Array(
-      memory.buffer,
-      this.#exports.answerRows(answer) >>> 0,
-      5 * count,
-    ).slice();
-    const result = {};
-    for (let i = 0; i < count; ++i) {
-      const [nameAddress, nameLength, address, length, type] = rows.subarray(5 * i);
-      const name = new TextDecoder().decode(new Uint8Array(memory.buffer, nameAddress, nameLength));
-      setValue(result, name, yield* valueAt(memory, address, length, type));
-    }
-    return result;
   }
 
   #failure(): GeodesicVoronoiError {

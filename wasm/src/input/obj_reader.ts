@@ -69,8 +69,7 @@ class ObjReader {
       );
     }
     const positions = yield* this.#positions.take();
-    const { indices, notes } = yield* this.#polygons.take(positions);
-    return { positions, indices, notes };
+    return { positions, ...(yield* this.#polygons.take(positions)) };
   }
 
   get #vertexCount(): number {

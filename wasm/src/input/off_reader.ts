@@ -47,8 +47,7 @@ export function* readOff(bytes: Uint8Array, limits: SizeLimits): SlicedWork<Read
   if (polygons.count === 0) throw invalidFile('the OFF has no faces of three corners or more');
 
   const positions = yield* places.take();
-  const { indices, notes } = yield* polygons.take(positions);
-  return { positions, indices, notes };
+  return { positions, ...(yield* polygons.take(positions)) };
 }
 
 /** The keyword, which may be missing, and the counts, which stand beside it or in the next line. */

@@ -132,10 +132,10 @@ export function partitionGlb(
   const { layout, ...form } = toFileOptions(options, {
     mesh: undefined,
     layout: 'regions',
-    colours: undefined,
+    colours: [],
   });
   requireAllowed('layout', layout, oneOf(partitionLayouts));
-  if (form.colours !== undefined) toColours('colours', form.colours);
+  toColours('colours', form.colours);
   if (partition.triangles.label.length === 0) return emptyGlb();
   return layout === 'regions' ? regionsGlb(partition, form) : featuresGlb(partition, form);
 }
@@ -244,14 +244,7 @@ export function partitionPly(
   options?: PartitionColourOptions,
 ): Uint8Array<ArrayBuffer> {
   toPartition(partition);
-  const {
-    mesh,
-    scale,
-    colours = [],
-  } = toFileOptions(options, {
-    mesh: undefined,
-    colours: undefined,
-  });
+  const { mesh, scale, colours } = toFileOptions(options, { mesh: undefined, colours: [] });
   toColours('colours', colours);
   const { label } = partition.triangles;
   const rgb = new Uint8Array(3 * label.length);
