@@ -632,6 +632,21 @@ suite('attributes and events', () => {
         refusal,
         'a place is { face, bary }, with the index of a triangle and three coordinates',
       );
+    const absent = await viewer.evaluate((viewer) =>
+      [() => viewer.removeSite(12), () => viewer.moveSite(-1, { face: 0, bary: [1, 0, 0] })].map(
+        (edit) => {
+          try {
+            return edit();
+          } catch ({ message }) {
+            return message;
+          }
+        },
+      ),
+    );
+    assert.deepEqual(absent, [
+      'There is no site 12: the number of sites is 12.',
+      'There is no site -1: the number of sites is 12.',
+    ]);
     assert.equal(await viewer.siteCount(), 12);
     const { message } = await viewer.after('error', () =>
       viewer.evaluate((viewer) => viewer.load('http://[')),

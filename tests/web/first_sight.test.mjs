@@ -326,6 +326,18 @@ suite('first sight', () => {
     await viewer.close();
   });
 
+  test('a link of another version of the page is told of, and the page opens as without it', async () => {
+    const viewer = await browser.open({ hash: '#v=2&model=bunny.ply&sites=12' });
+    await viewer.page
+      .locator('#error-text', {
+        hasText: 'The link was made by another version of this page: it is left out.',
+      })
+      .waitFor();
+    await viewer.settled();
+    assert.notEqual(await viewer.siteCount(), 12);
+    await viewer.close();
+  });
+
   test('the address keeps what is chosen without pointer and keys, as by voice', async () => {
     const viewer = await browser.open({ hash: '#v=1&model=torus.glb&sites=12&seed=3' });
     await viewer.settled();

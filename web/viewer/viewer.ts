@@ -21,7 +21,12 @@ import { PointerGestures } from './tools/pointer_gestures.js';
 import { Session } from './session/session.js';
 import type { Drawable, SessionListener } from './session/session_listener.js';
 import { factsOf, type ShownDiagram } from './session/shown_diagram.js';
-import { type PointList, type SitePlace, surfacePointsOf } from './session/site_history.js';
+import {
+  type PointList,
+  type Site,
+  type SitePlace,
+  surfacePointsOf,
+} from './session/site_history.js';
 import { SiteSelection } from './tools/site_selection.js';
 import { type ContextListener, SharedRenderer } from './stage/shared_renderer.js';
 import { Stage } from './stage/stage.js';
@@ -163,17 +168,22 @@ export class Viewer implements Workpiece {
   }
 
   moveSite(index: number, place: SitePlace, isSameStep = false): void {
-    const site = this.session.sites[index];
-    if (!site) return;
+    const { id } = this.#siteAt(index);
     this.edit(() => {
-      this.session.moveSite(site.id, place, isSameStep);
+      this.session.moveSite(id, place, isSameStep);
       this.session.endMove();
     });
   }
 
   removeSite(index: number): void {
-    const site = this.session.sites[index];
-    if (site) this.edit(() => this.session.removeSite(site.id));
+    const { id } = this.#siteAt(index);
+    this.edit(() => this.session.removeSite(id));
+  }
+
+  #siteAt(index: number): Site {
+    const { sites } = this.session;
+    if (sites[index]) return sites[index];
+    throw new RangeError(`There is no site ${index}: the number of sites is ${sites.length}.`);
   }
 
   replaceSites(sites: PointList): void {

@@ -104,7 +104,7 @@ function setUpSampling(viewer: GeodesicVoronoiElement): void {
 }
 
 function setUpEditing(viewer: GeodesicVoronoiElement): void {
-  const remove = onClick('remove', () => viewer.removeSite(viewer.selected));
+  const remove = onClick('remove', () => viewer.perform('remove'));
   const clear = onClick('clear', () => {
     viewer.sites = { face: [], bary: [] };
   });

@@ -70,10 +70,14 @@ export function notHeld(viewer: GeodesicVoronoiElement): string[] {
   return sentences;
 }
 
-/** Restores the state in a link; links of another version are ignored. */
+/** Restores the state in a link; one of another version is told of. */
 export function readPageState(viewer: GeodesicVoronoiElement, hash: string): void {
   const parameters = parametersOf(hash);
-  if (parameters.get('v') !== version) return;
+  if (parameters.get('v') !== version) {
+    if (parameters.has('v'))
+      tellOnceLoaded(viewer, 'The link was made by another version of this page: it is left out.');
+    return;
+  }
   dropRefused(viewer, parameters);
   /** Sets an attribute as the link has it. Returns whether it had another value. */
   const restore = (name: string): boolean => {
@@ -127,8 +131,12 @@ function dropRefused(viewer: GeodesicVoronoiElement, parameters: URLSearchParams
   if (refused.length === 0) return;
   for (const { name } of refused) parameters.delete(name);
   const list = refused.map(({ name, value }) => `${name}=${value}`).join(', ');
-  const tell = () => showError(`The link is damaged. These parts cannot be used: ${list}.`);
-  viewer.addEventListener('load', tell, { once: true });
+  tellOnceLoaded(viewer, `The link is damaged. These parts cannot be used: ${list}.`);
+}
+
+/** Tells of a fault of the link once there is a model: opening one ends what is told before. */
+function tellOnceLoaded(viewer: GeodesicVoronoiElement, text: string): void {
+  viewer.addEventListener('load', () => showError(text), { once: true });
 }
 
 /** Whether the page's field of an attribute takes a value. */

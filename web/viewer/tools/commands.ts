@@ -24,7 +24,9 @@ const moveStep = 8;
 const actions = {
   undo: ({ session }) => session.undo(),
   redo: ({ session }) => session.redo(),
-  remove: (viewer) => viewer.removeSite(viewer.selection.index),
+  remove: (viewer) => {
+    if (viewer.selection.index >= 0) viewer.removeSite(viewer.selection.index);
+  },
   refit: (viewer) => viewer.refit(),
   cancel: (viewer) => viewer.cancel(),
   place: ({ tools }) => tools.useAtCentre(),
