@@ -6,6 +6,28 @@ import type { Attributes } from '../attributes/attribute_values.js';
 import type { SiteSelection } from './site_selection.js';
 import type { SurfaceTools, Workpiece } from './surface_tools.js';
 
+/** A command of the viewer, given by a key. */
+export type Command =
+  | 'undo'
+  | 'redo'
+  | 'remove'
+  | 'refit'
+  | 'cancel'
+  | 'place'
+  | 'play-cvt'
+  | 'next-site'
+  | 'previous-site'
+  | 'turn-left'
+  | 'turn-right'
+  | 'turn-up'
+  | 'turn-down'
+  | 'nearer'
+  | 'farther'
+  | 'move-left'
+  | 'move-right'
+  | 'move-up'
+  | 'move-down';
+
 /** The object that carries commands out. */
 interface Commanded extends Workpiece {
   readonly selection: SiteSelection;
@@ -21,7 +43,7 @@ const dollyStep = 1.15;
 /** In CSS pixels. */
 const moveStep = 8;
 
-const actions = {
+const actions: Readonly<Record<Command, (viewer: Commanded) => void>> = {
   undo: ({ session }) => session.undo(),
   redo: ({ session }) => session.redo(),
   remove: (viewer) => {
@@ -44,10 +66,7 @@ const actions = {
   'move-right': ({ selection }) => selection.nudge(moveStep, 0),
   'move-up': ({ selection }) => selection.nudge(0, -moveStep),
   'move-down': ({ selection }) => selection.nudge(0, moveStep),
-} satisfies Record<string, (viewer: Commanded) => void>;
-
-/** A command of the viewer, given by a key. */
-export type Command = keyof typeof actions;
+};
 
 function dolly({ stage, tools }: Commanded, factor: number): void {
   tools.approachAt(stage.camera.middle);
