@@ -28,8 +28,9 @@ bool BoundsLowering::step(long& budget) {
       [&] { startTurns(); }, [&] { return spread(budget); });
 }
 
-/// Where a path along edges is now shorter than the owner's distance, the owner is dropped: which
-/// labels reach the new bound must not depend on earlier changes.
+/// Hands an edge bound that has changed to the spread. Where a path along edges is now shorter than
+/// the owner's distance, the owner is dropped: which labels reach the new bound must not depend on
+/// earlier changes.
 void BoundsLowering::resetBound(int v) {
   spread_.setEdgeBound(v, edgeBounds_[v]);
   if (bounds_.ties().isAtMost(bounds_[v].distance, edgeBounds_[v])) return;
