@@ -47,7 +47,7 @@ double BruteForce::distance(int label, const SurfacePoint& p) const {
 }
 
 std::unique_ptr<SlicedWork<std::vector<double>>> BruteForce::startDistancesAt(
-    std::span<const LabelledPoint> points) const {
+    std::vector<LabelledPoint> points) const {
   std::vector<double> distances;
   for (const auto& [label, point] : points) distances.push_back(distance(label, point));
   return std::make_unique<Done>(std::move(distances));

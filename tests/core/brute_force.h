@@ -21,7 +21,7 @@ class BruteForce final : public DistanceField {
   LabelledDistance nearest(const SurfacePoint& p) const override;
   double distance(int label, const SurfacePoint& p) const override;
   std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
-      std::span<const LabelledPoint> points) const override;
+      std::vector<LabelledPoint> points) const override;
   Eigen::Vector2d direction(int label, int vertex) const override;
   std::vector<SurfacePoint> path(int label, const SurfacePoint& p) const override;
 

@@ -331,7 +331,7 @@ TEST_P(Degenerate, NearestSiteIsKnownAtTheCornersAround) {
         const SurfacePoint p{f, {x, y, 1 - x - y}};
         const LabelledDistance nearest = field->nearest(p);
         const LabelledPoint labelled = {nearest.label, p};
-        EXPECT_NEAR(field->distancesAt({&labelled, 1})[0], nearest.distance, 1e-9) << p.bary;
+        EXPECT_NEAR(field->distancesAt({labelled})[0], nearest.distance, 1e-9) << p.bary;
       }
 }
 

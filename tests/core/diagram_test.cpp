@@ -572,7 +572,7 @@ TEST(Diagram, RefusesAFieldThatLacksNearestLabels) {
     LabelledDistance nearest(const SurfacePoint&) const override { return {}; }
     double distance(int, const SurfacePoint&) const override { return kInfinity; }
     std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
-        std::span<const LabelledPoint>) const override {
+        std::vector<LabelledPoint>) const override {
       return nullptr;
     }
     Eigen::Vector2d direction(int, int) const override { return {1, 0}; }

@@ -375,8 +375,8 @@ class InStepsOnly final : public DistanceField {
     return field_.distance(label, p);
   }
   std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
-      std::span<const LabelledPoint> points) const override {
-    return field_.startDistancesAt(points);
+      std::vector<LabelledPoint> points) const override {
+    return field_.startDistancesAt(std::move(points));
   }
   Eigen::Vector2d direction(int label, int vertex) const override {
     return field_.direction(label, vertex);

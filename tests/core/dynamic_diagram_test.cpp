@@ -463,7 +463,7 @@ TEST(DynamicDiagram, RefusesForeignDistances) {
     LabelledDistance nearest(const SurfacePoint&) const override { return {}; }
     double distance(int, const SurfacePoint&) const override { return 0; }
     std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
-        std::span<const LabelledPoint>) const override {
+        std::vector<LabelledPoint>) const override {
       return nullptr;
     }
     Eigen::Vector2d direction(int, int) const override { return {1, 0}; }
@@ -549,7 +549,7 @@ TEST(DynamicDiagram, RefusesSitesThatAreNotOnTheMesh) {
     EXPECT_THROW(dynamic.distances().distance(0, nowhere), Error);
     EXPECT_THROW(dynamic.distances().path(0, nowhere), Error);
     const LabelledPoint labelled = {0, nowhere};
-    EXPECT_THROW(dynamic.distances().distancesAt({&labelled, 1}), Error);
+    EXPECT_THROW(dynamic.distances().distancesAt({labelled}), Error);
   }
   EXPECT_EQ(dynamic.labelCount(), 4);
   EXPECT_TRUE(dynamic.hasSite(2));

@@ -147,7 +147,7 @@ class KnownEverywhere final : public LabelSpread {
     return {};
   }
   std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
-      std::span<const LabelledPoint> /*points*/, const KnownLabels& /*known*/) override {
+      std::vector<LabelledPoint> /*points*/, const KnownLabels& /*known*/) override {
     return nullptr;
   }
   Eigen::Vector2d direction(int /*label*/, int /*index*/) const override { return {1, 0}; }

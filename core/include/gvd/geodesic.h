@@ -81,14 +81,14 @@ class DistanceField {
   /// Starts to find distances at many points: infinity where a label is not known at the corners of
   /// the point's face, or at both ends of its edge. With the exact metric, each of the sites
   /// spreads once more, as far as it is nearest and on to its points, which takes about as long as
-  /// the first time. Distances that were found are kept until their site is removed. The points are
-  /// copied; one that is not on the mesh throws `Error(kInvalidPoint)` in a step. The field must
-  /// outlive the work, and sites must not change until it is done.
+  /// the first time. Distances that were found are kept until their site is removed. A point that
+  /// is not on the mesh throws `Error(kInvalidPoint)` in a step. The field must outlive the work,
+  /// and sites must not change until it is done.
   virtual std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
-      std::span<const LabelledPoint> points) const = 0;
+      std::vector<LabelledPoint> points) const = 0;
   /// The same without steps.
-  std::vector<double> distancesAt(std::span<const LabelledPoint> points) const {
-    return finished(startDistancesAt(points));
+  std::vector<double> distancesAt(std::vector<LabelledPoint> points) const {
+    return finished(startDistancesAt(std::move(points)));
   }
   /// The direction in which the shortest path from a site to a vertex leaves the site, as a unit
   /// vector: together with the distance, geodesic polar coordinates (the logarithmic map). With the

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -20,10 +21,12 @@ class PointMerging {
 
   /// Merges the root `b` and its members into the root `a`.
   void unite(int a, int b) {
-    while (limit() <= std::max(a, b)) {
-      parent_.push_back(limit());
-      nextMember_.push_back(limit() - 1);
-      isMerged_.push_back(false);
+    if (const int last = std::max(a, b), first = limit(); first <= last) {
+      isMerged_.resize(last + 1);
+      for (std::vector<int>* const list : {&parent_, &nextMember_}) {
+        list->resize(last + 1);
+        std::iota(list->begin() + first, list->end(), first);
+      }
     }
     parent_[b] = a;
     std::swap(nextMember_[a], nextMember_[b]);

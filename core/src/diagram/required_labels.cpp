@@ -11,20 +11,22 @@ void RequiredLabels::add(int midpoint, int label, const SurfacePoint& p) {
   if (index >= last_.size()) last_.resize(index + 1, -1);
   int& last = last_[index];
   for (int i = last; i >= 0; i = previous_[i])
-    if (required_[i].label == label) return;
+    if (labels_[i] == label) return;
   if (last < 0) midpoints_.push_back(midpoint);
   previous_.push_back(last);
   last = static_cast<int>(required_.size());
   required_.push_back({label, p});
+  labels_.push_back(label);
 }
 
 bool RequiredLabels::find(long& budget) {
-  if (!sequence_.run([&] { finding_ = distances_.startDistancesAt(required_); },
+  if (!sequence_.run([&] { finding_ = distances_.startDistancesAt(std::move(required_)); },
                      [&] { return finding_->step(budget); }, [&] { found_ = finding_->take(); },
                      forEach(midpoints_, budget, 1, [&](int i) { setLabels(midpoints_[i]); })))
     return false;
   sequence_ = {};
   required_.clear();
+  labels_.clear();
   previous_.clear();
   midpoints_.clear();
   return true;
@@ -35,7 +37,7 @@ void RequiredLabels::setLabels(int midpoint) {
   atPoint_.assign(known.begin(), known.end());
   int& last = last_[midpoint - firstMidpoint_];
   for (int i = last; i >= 0; i = previous_[i]) {
-    const LabelledDistance d{required_[i].label, found_[i]};
+    const LabelledDistance d{labels_[i], found_[i]};
     if (d.distance < kInfinity) insertByLabel(atPoint_, d);
   }
   last = -1;

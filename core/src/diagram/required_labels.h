@@ -31,6 +31,7 @@ class RequiredLabels {
   const int firstMidpoint_;  ///< midpoints are numbered from here
 
   std::vector<LabelledPoint> required_;
+  std::vector<int> labels_;     ///< of each
   std::vector<int> previous_;   ///< of each, in the list of its midpoint; -1 for none
   std::vector<int> last_;       ///< in the list of each midpoint; -1 for none
   std::vector<int> midpoints_;  ///< with a list

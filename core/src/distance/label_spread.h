@@ -63,7 +63,7 @@ class LabelSpread {
   /// Starts to find the distances of labels at points that are no vertices. Each label must be
   /// known around its points, and sites must not change until the work is done.
   virtual std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
-      std::span<const LabelledPoint> points, const KnownLabels& known) = 0;
+      std::vector<LabelledPoint> points, const KnownLabels& known) = 0;
   /// The direction at the site of the path to the vertex `reached(label)[index]`
   /// (`DistanceField::direction`).
   virtual Eigen::Vector2d direction(int label, int index) const = 0;

@@ -207,55 +207,53 @@ bool SiteDistances::isKnownAround(int label, const SurfacePoint& p) const {
 
 double SiteDistances::distance(int label, const SurfacePoint& p) const {
   if (const LabelledDistance there = nearest(p); there.label == label) return there.distance;
-  const LabelledPoint point = {label, p};
-  return distancesAt({&point, 1})[0];
+  return distancesAt({{label, p}})[0];
 }
 
 /// Distances at vertices come from the lists, at other points from the spread.
 class SiteDistances::DistancesAtPoints final : public SlicedWork<std::vector<double>> {
  public:
-  DistancesAtPoints(const SiteDistances& field, std::span<const LabelledPoint> points)
-      : field_(field),
-        points_(points.begin(), points.end()),
-        distances_(points.size(), kInfinity) {}
+  DistancesAtPoints(const SiteDistances& field, std::vector<LabelledPoint> points)
+      : field_(field), points_(std::move(points)) {}
 
   bool advance(long budget) override {
     return sequence_.run(
+        [&] { distances_.reserve(points_.size()); },
         forEach(points_, budget, kQuickRounds, [&](int i) { sortOut(i); }),
-        [&] { atPoints_ = field_.spread_->startDistancesAt(open_, field_.known_); },
-        [&] { return atPoints_->step(budget); });
+        [&] {
+          points_.erase(points_.begin() + open_.size(), points_.end());
+          atPoints_ = field_.spread_->startDistancesAt(std::move(points_), field_.known_);
+        },
+        [&] { return atPoints_->step(budget); }, [&] { found_ = atPoints_->take(); },
+        forEach(open_, budget, kQuickRounds, [&](int i) { distances_[open_[i]] = found_[i]; }));
   }
   double progress() const override { return atPoints_ ? atPoints_->progress() : 0; }
-  std::vector<double> result() override {
-    const std::vector<double> found = atPoints_->take();
-    for (std::size_t i = 0; i < found.size(); ++i) distances_[openIndices_[i]] = found[i];
-    return std::move(distances_);
-  }
+  std::vector<double> result() override { return std::move(distances_); }
 
  private:
+  /// Moves the points that are left to the spread to the front of the list.
   void sortOut(int i) {
-    auto& [label, p] = points_[i];
-    p = onMesh(field_.mesh_, p);
-    if (const int v = vertexAt(field_.mesh_, p); v >= 0) {
-      distances_[i] = field_.known_.distance(v, label);
-    } else if (field_.isKnownAround(label, p)) {
-      open_.push_back(points_[i]);
-      openIndices_.push_back(i);
-    }
+    const int label = points_[i].label;
+    const SurfacePoint p = onMesh(field_.mesh_, points_[i].point);
+    const int v = vertexAt(field_.mesh_, p);
+    distances_.push_back(v >= 0 ? field_.known_.distance(v, label) : kInfinity);
+    if (v >= 0 || !field_.isKnownAround(label, p)) return;
+    points_[open_.size()] = {label, p};
+    open_.push_back(i);
   }
 
   const SiteDistances& field_;
   std::vector<LabelledPoint> points_;
-  std::vector<double> distances_;
   SlicedSequence sequence_;
-  std::vector<LabelledPoint> open_;
-  std::vector<int> openIndices_;
+  std::vector<double> distances_;
+  std::vector<int> open_;  ///< the indices of the points that are left to the spread
   std::unique_ptr<SlicedWork<std::vector<double>>> atPoints_;
+  std::vector<double> found_;  ///< by the spread
 };
 
 std::unique_ptr<SlicedWork<std::vector<double>>> SiteDistances::startDistancesAt(
-    std::span<const LabelledPoint> points) const {
-  return std::make_unique<DistancesAtPoints>(*this, points);
+    std::vector<LabelledPoint> points) const {
+  return std::make_unique<DistancesAtPoints>(*this, std::move(points));
 }
 
 Eigen::Vector2d SiteDistances::direction(int label, int vertex) const {

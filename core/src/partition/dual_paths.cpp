@@ -97,14 +97,20 @@ class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
   /// Makes the nearest places the crossings of their arcs. The distances at all places are
   /// requested at once.
   bool offerPlaces(long& budget) {
-    if (!round_.run(
-            forEach(places_, budget, kPlacesPerUnit,
-                    [&](int i) {
-                      for (const int label : places_[i].segment->labels)
-                        points_.push_back({label, pointAt(places_[i])});
-                    }),
-            [&] { atPoints_ = field_.startDistancesAt(points_); },
-            [&] { return atPoints_->step(budget); }, [&] { offer(atPoints_->take()); }))
+    if (!round_.run([&] { points_.reserve(2 * places_.size()); },
+                    forEach(places_, budget, kPlacesPerUnit,
+                            [&](int i) {
+                              for (const int label : places_[i].segment->labels)
+                                points_.push_back({label, pointAt(places_[i])});
+                            }),
+                    [&] { atPoints_ = field_.startDistancesAt(std::move(points_)); },
+                    [&] { return atPoints_->step(budget); },
+                    [&] {
+                      distances_ = atPoints_->take();
+                      squaredSums_.clear();
+                      squaredSums_.reserve(places_.size());
+                    },
+                    forEach(places_, budget, kPlacesPerUnit, [&](int i) { offer(i); })))
       return false;
     round_ = {};
     points_.clear();
@@ -112,14 +118,11 @@ class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
     return true;
   }
 
-  void offer(std::span<const double> distances) {
-    squaredSums_.clear();
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-      const Eigen::Vector2d both(distances[2 * i], distances[2 * i + 1]);
-      squaredSums_.push_back(both.squaredNorm());
-      Crossing& nearest = nearest_[places_[i].segment->arc];
-      if (both.sum() < nearest.length) nearest = {points_[2 * i].point, both.sum()};
-    }
+  void offer(int place) {
+    const Eigen::Vector2d both(distances_[2 * place], distances_[2 * place + 1]);
+    squaredSums_.push_back(both.squaredNorm());
+    Crossing& nearest = nearest_[places_[place].segment->arc];
+    if (both.sum() < nearest.length) nearest = {pointAt(places_[place]), both.sum()};
   }
 
   /// Adds the path of an arc; without points if the distances of its sites are not known there.
@@ -149,6 +152,7 @@ class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
   std::vector<Place> places_;
   std::vector<LabelledPoint> points_;  ///< both labels at each place
   std::unique_ptr<SlicedWork<std::vector<double>>> atPoints_;
+  std::vector<double> distances_;    ///< of both labels at each place
   std::vector<double> squaredSums_;  ///< of the two distances at each place
   std::vector<Crossing> nearest_;    ///< of each arc
   std::vector<DualPath> paths_;

@@ -98,7 +98,7 @@ class GapFilling final : public SlicedWork<std::vector<SurfacePoint>> {
     for (const Gap& gap : gaps_)
       for (const SurfacePoint& p : gap.points)
         for (const int label : gap.labels) points.push_back({label, p});
-    distances_ = field_.startDistancesAt(points);
+    distances_ = field_.startDistancesAt(std::move(points));
   }
 
   std::unique_ptr<SlicedWork<std::vector<Gap>>> finding_;

@@ -163,8 +163,8 @@ std::vector<LabelledDistance> UnfoldingSpread::nearestAt(const SurfacePoint& p,
 class UnfoldingSpread::PointDistances final : public SlicedWork<std::vector<double>> {
  public:
   PointDistances(const UnfoldingSpread& spread, const KnownLabels& known,
-                 std::span<const LabelledPoint> points)
-      : spread_(spread), known_(known), points_(points.begin(), points.end()) {}
+                 std::vector<LabelledPoint> points)
+      : spread_(spread), known_(known), points_(std::move(points)) {}
 
   bool advance(long budget) override {
     constexpr long kPointsPerUnit = 8;
@@ -188,8 +188,8 @@ class UnfoldingSpread::PointDistances final : public SlicedWork<std::vector<doub
 };
 
 std::unique_ptr<SlicedWork<std::vector<double>>> UnfoldingSpread::startDistancesAt(
-    std::span<const LabelledPoint> points, const KnownLabels& known) {
-  return std::make_unique<PointDistances>(*this, known, points);
+    std::vector<LabelledPoint> points, const KnownLabels& known) {
+  return std::make_unique<PointDistances>(*this, known, std::move(points));
 }
 
 /// In the plane, the squared distance of a point is the linear interpolant of the corners' squared

@@ -41,7 +41,7 @@ class UnfoldingSpread final : public LabelSpread {
   bool dependsOnEdgeBounds() const override { return true; }
   std::vector<LabelledDistance> nearestAt(const SurfacePoint& p, const KnownLabels& known) override;
   std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
-      std::span<const LabelledPoint> points, const KnownLabels& known) override;
+      std::vector<LabelledPoint> points, const KnownLabels& known) override;
   Eigen::Vector2d direction(int label, int index) const override;
   std::vector<SurfacePoint> path(int label, const SurfacePoint& p) override;
 

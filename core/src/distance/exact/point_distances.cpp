@@ -46,30 +46,34 @@ void FoundDistances::remove(int label) {
 PointDistances::PointDistances(const TriangleMesh& mesh, const SiteSet& sites,
                                NearestBounds& bounds, FoundDistances& found,
                                std::unique_ptr<WindowSweep>& spare,
-                               std::span<const LabelledPoint> points)
+                               std::vector<LabelledPoint> points)
     : mesh_(mesh),
       sites_(sites),
       bounds_(bounds),
       found_(found),
-      points_(points.begin(), points.end()),
+      points_(std::move(points)),
       spare_(spare) {}
 
 bool PointDistances::advance(long budget) {
-  return sequence_.run(
-      forEach(points_, budget, kPointsPerUnit, [&](int i) { sortOut(points_[i]); }),
-      [&] {
-        return byLabel_.run(
-            static_cast<int>(open_.size()), sites_.labelCount(),
-            [&](int i) { return open_[i].at.label; }, budget);
-      },
-      [&] { return spread(budget); });
+  return sequence_.run([&] { distances_.reserve(points_.size()); },
+                       forEach(points_, budget, kPointsPerUnit, [&](int i) { sortOut(i); }),
+                       [&] { points_.erase(points_.begin() + open_.size(), points_.end()); },
+                       [&] {
+                         return byLabel_.run(
+                             static_cast<int>(points_.size()), sites_.labelCount(),
+                             [&](int i) { return points_[i].label; }, budget);
+                       },
+                       [&] { return spread(budget); });
 }
 
-void PointDistances::sortOut(const LabelledPoint& p) {
-  const LabelledPoint at = {p.label, unique(mesh_, p.point)};
+/// Moves the points without a distance to the front of the list.
+void PointDistances::sortOut(int index) {
+  const auto& [label, p] = points_[index];
+  const LabelledPoint at = {label, unique(mesh_, p)};
   distances_.push_back(found_.find(at));
-  if (distances_.back() == kInfinity)
-    open_.push_back({at, static_cast<int>(distances_.size()) - 1});
+  if (distances_.back() < kInfinity) return;
+  points_[open_.size()] = at;
+  open_.push_back(index);
 }
 
 std::vector<double> PointDistances::result() {
@@ -109,7 +113,7 @@ void PointDistances::startLabel() {
   state_ = {};
   required_.clear();
   for (const int i : byLabel_.items(label_)) {
-    const SurfacePoint& p = open_[i].at.point;
+    const SurfacePoint& p = points_[i].point;
     required_.push_back({p, straightTo(label_, p), nearestAtLeast(p)});
   }
   sweep_->start(label_, sites_[label_], state_, required_);
@@ -120,8 +124,8 @@ void PointDistances::finishLabel() {
   int point = 0;
   for (const int i : byLabel_.items(label_)) {
     const double distance = sweep_->distanceAtPoint(point++);
-    distances_[open_[i].index] = distance;
-    found_.add(open_[i].at, distance);
+    distances_[open_[i]] = distance;
+    found_.add(points_[i], distance);
   }
   doneCount_ += point;
   ++label_;

@@ -48,20 +48,14 @@ class PointDistances final : public SlicedWork<std::vector<double>> {
   /// mesh is taken from `spare`, or allocated if that is null, and left there by `result`.
   PointDistances(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds,
                  FoundDistances& found, std::unique_ptr<WindowSweep>& spare,
-                 std::span<const LabelledPoint> points);
+                 std::vector<LabelledPoint> points);
 
   bool advance(long budget) override;
   double progress() const override;
   std::vector<double> result() override;
 
  private:
-  /// A point at which the distance has not been found before.
-  struct OpenPoint {
-    LabelledPoint at;
-    int index;  ///< in `distances_`
-  };
-
-  void sortOut(const LabelledPoint& p);
+  void sortOut(int index);
   bool spread(long& budget);
   void startLabel();
   void finishLabel();
@@ -72,14 +66,15 @@ class PointDistances final : public SlicedWork<std::vector<double>> {
   const SiteSet& sites_;
   NearestBounds& bounds_;
   FoundDistances& found_;
-  const std::vector<LabelledPoint> points_;
+  /// Once they are sorted out, those at which the distance has not been found before.
+  std::vector<LabelledPoint> points_;
   std::unique_ptr<WindowSweep>& spare_;
   std::unique_ptr<WindowSweep> sweep_;  ///< null while no point is open
   SlicedSequence sequence_;
   std::vector<double> distances_;
-  std::vector<OpenPoint> open_;
-  Grouping byLabel_;      ///< the indices of open points
-  size_t doneCount_ = 0;  ///< of open points
+  std::vector<int> open_;  ///< the indices in `distances_` of these
+  Grouping byLabel_;       ///< their indices in `points_`, by label
+  size_t doneCount_ = 0;   ///< of these
 
   enum class Stage { kNone, kSpread, kRequire } stage_ = Stage::kNone;
   int label_ = 0;  ///< the current one

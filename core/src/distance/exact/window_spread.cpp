@@ -115,8 +115,9 @@ std::vector<LabelledDistance> WindowSpread::nearestAt(const SurfacePoint& p,
 }
 
 std::unique_ptr<SlicedWork<std::vector<double>>> WindowSpread::startDistancesAt(
-    std::span<const LabelledPoint> points, const KnownLabels& /*known*/) {
-  return std::make_unique<PointDistances>(mesh_, sites_, bounds_, found_, spare_, points);
+    std::vector<LabelledPoint> points, const KnownLabels& /*known*/) {
+  return std::make_unique<PointDistances>(mesh_, sites_, bounds_, found_, spare_,
+                                          std::move(points));
 }
 
 /// Windows that have crossed their faces are not kept, so a search from the point finds paths
