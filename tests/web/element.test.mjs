@@ -876,6 +876,32 @@ suite('attributes and events', () => {
     });
   });
 
+  // A style sheet that a script has made serves one document only.
+  test('one that is moved to another document keeps its content and its style', async (context) => {
+    const viewer = await opened(context, 'one.html');
+    await viewer.settled();
+    const seen = await viewer.evaluate(async (viewer) => {
+      const inFrame = () => {
+        const legend = viewer.shadowRoot.querySelector('.legend');
+        return [viewer, legend].map((element) => getComputedStyle(element).position);
+      };
+      const frame = document.createElement('iframe');
+      document.body.append(frame);
+      frame.contentDocument.body.append(viewer);
+      const moved = { regions: viewer.regionAreas.length, positions: inFrame() };
+      viewer.remove();
+      await null; // It frees what it has.
+      const opened = new Promise((resolve, reject) => {
+        viewer.addEventListener('diagram', ({ detail }) => resolve(detail.regions));
+        viewer.addEventListener('error', ({ detail }) => reject(detail.cause));
+      });
+      frame.contentDocument.body.append(viewer);
+      return { moved, opened: { regions: await opened, positions: inFrame() } };
+    });
+    const whole = { regions: 12, positions: ['relative', 'absolute'] };
+    assert.deepEqual(seen, { moved: whole, opened: whole });
+  });
+
   test('a picture of it can be had, larger too', async (context) => {
     const viewer = await opened(context, 'one.html');
     await viewer.settled();

@@ -94,6 +94,10 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     );
   }
 
+  adoptedCallback(): void {
+    this.#shadow?.applyStyle();
+  }
+
   attributeChangedCallback(name: string, before: string | null, after: string | null): void {
     if (before === after) return;
     if (this.#changedAttributes.size === 0) queueMicrotask(() => this.#applyAttributes());

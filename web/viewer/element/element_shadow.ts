@@ -2,6 +2,7 @@
 //
 // The inside of the element: its canvas, and what lies on it.
 
+import { legendStyle } from '../layers/legend.js';
 import { make } from '../stage/make.js';
 
 const style = `
@@ -77,6 +78,7 @@ const hintMilliseconds = 2000;
  */
 export class ElementShadow {
   readonly canvas = make('canvas', { tabIndex: 0 });
+  readonly #root: ShadowRoot;
   readonly #aim = make('div', { className: 'aim' });
   readonly #message = make('p', { className: 'message', hidden: true });
   readonly #poster = make('div', { className: 'poster' });
@@ -87,10 +89,8 @@ export class ElementShadow {
   #hintTimer = 0;
 
   constructor(host: HTMLElement) {
-    const root = host.shadowRoot ?? host.attachShadow({ mode: 'open', delegatesFocus: true });
-    const sheet = new CSSStyleSheet();
-    sheet.replaceSync(style);
-    root.adoptedStyleSheets = [sheet];
+    this.#root = host.shadowRoot ?? host.attachShadow({ mode: 'open', delegatesFocus: true });
+    this.applyStyle();
 
     // Attributes, since browsers have these as properties only of late.
     this.#hint.setAttribute('role', 'status');
@@ -108,7 +108,16 @@ export class ElementShadow {
       hint: this.#hint,
     };
     for (const [name, part] of Object.entries(parts)) part.setAttribute('part', name);
-    root.replaceChildren(...Object.values(parts), this.#instructions);
+    this.#root.replaceChildren(...Object.values(parts), this.#instructions);
+  }
+
+  /** Style sheets stay with the document that they were made in, so each document needs its own. */
+  applyStyle(): void {
+    const { defaultView } = this.#root.ownerDocument;
+    if (!defaultView) return; // a document that is not shown
+    const sheet = new defaultView.CSSStyleSheet();
+    sheet.replaceSync(style + legendStyle);
+    this.#root.adoptedStyleSheets = [sheet];
   }
 
   /** Describes the canvas to assistive technology; without instructions, nothing can be done there. */
@@ -163,6 +172,6 @@ export class ElementShadow {
 
   dispose(): void {
     clearTimeout(this.#hintTimer);
-    (this.canvas.getRootNode() as ShadowRoot).replaceChildren();
+    this.#root.replaceChildren();
   }
 }

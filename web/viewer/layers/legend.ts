@@ -8,7 +8,8 @@ import { tintColours } from '../buffers/label_colours.js';
 import { measure } from './measure.js';
 import { make } from '../stage/make.js';
 
-const style = `
+/** Part of the style sheet of the element. */
+export const legendStyle = `
   .legend {
     position: absolute; inset: auto 16px 16px auto; width: 230px; padding: 9px 12px;
     font: 12px/1.4 system-ui, sans-serif; color: CanvasText; pointer-events: none;
@@ -29,14 +30,9 @@ const style = `
 export class Legend {
   readonly #distances = box('distances');
   readonly #density = box('density');
-  readonly #sheet = new CSSStyleSheet();
-  readonly #shadow: ShadowRoot;
 
   /** Takes a shadow root that already has its content. */
   constructor(shadow: ShadowRoot) {
-    this.#shadow = shadow;
-    this.#sheet.replaceSync(style);
-    shadow.adoptedStyleSheets = [...shadow.adoptedStyleSheets, this.#sheet];
     fill(this.#density, {
       colours: tintColours,
       marks: [`1/${greatestDensity}`, '1', String(greatestDensity)],
@@ -51,8 +47,6 @@ export class Legend {
   dispose(): void {
     this.#distances.remove();
     this.#density.remove();
-    const sheets = this.#shadow.adoptedStyleSheets;
-    this.#shadow.adoptedStyleSheets = sheets.filter((sheet) => sheet !== this.#sheet);
   }
 
   /** Takes a scale in the model's units; undefined if no distances are shown. */
