@@ -3,7 +3,7 @@
 // The package installed from its tarball: what is in it, its exports and types, and its use in Node.
 
 import assert from 'node:assert/strict';
-import { existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { checkPackage, createPackageFromTarballData } from '@arethetypeswrong/core';
@@ -223,4 +223,36 @@ test('the code of its documents is strict, and Node needs no types of the DOM', 
     const code = blocks(source, 'js').join('\n');
     compile('document.mts', code, '--lib', 'es2022,dom', '--skipLibCheck');
   }
+});
+
+test('the declaration for React knows attributes and events', () => {
+  const { folder } = installed;
+  const [declaration] = blocks('web/docs/element.md', 'ts');
+  writeFileSync(join(folder, 'element.d.ts'), declaration);
+  // What the declaration and JSX ask of React's types.
+  const react = join(folder, 'node_modules/react');
+  mkdirSync(react);
+  writeFileSync(
+    join(react, 'index.d.ts'),
+    `export interface HTMLAttributes<T> { onLoad?: (event: { currentTarget: T }) => void }
+     export type DetailedHTMLProps<Attributes, T> = Attributes & { ref?: (element: T | null) => void };
+     export namespace JSX { interface IntrinsicElements {} }`,
+  );
+  writeFileSync(join(react, 'jsx-runtime.d.ts'), `export { JSX } from './index.js';`);
+  writeFileSync(
+    join(folder, 'app.tsx'),
+    `export const view = (
+       <geodesic-voronoi src="a.glb" sites={40} layers={['regions']} camera-orbit="0deg 75deg 105%"
+         ref={(element) => element?.refit()}
+         onload={({ detail }) => console.log(detail.info.faces.toFixed())}
+         onsites-change={({ detail }) => console.log(detail.count.toFixed())} />
+     );
+     // @ts-expect-error: not an attribute
+     export const other = <geodesic-voronoi seeds={1} />;`,
+  );
+  const strict = ['--strict', '--noEmit', '--skipLibCheck', '--types', ''];
+  const modules = ['--module', 'esnext', '--moduleResolution', 'bundler', '--jsx', 'react-jsx'];
+  const libraries = ['--target', 'es2022', '--lib', 'es2022,dom'];
+  const files = ['app.tsx', 'element.d.ts'];
+  run(inModules('.bin', 'tsc'), [...strict, ...modules, ...libraries, ...files], folder);
 });
