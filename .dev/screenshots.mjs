@@ -126,7 +126,7 @@ async function takeAll(browser, names) {
   }
 }
 
-/** What is seen first, as small as it may be, without its background. */
+/** What is seen first, as small as it may be, without its background and the room for the caption. */
 async function makePoster(browser) {
   const viewer = await browser.open({
     viewport: { width: 480 + 320, height: 480 + 52 },
@@ -134,7 +134,7 @@ async function makePoster(browser) {
   });
   await viewer.settled();
   const address = await viewer.evaluate(async (viewer) => {
-    viewer.style.cssText = 'width: 480px; height: 480px';
+    viewer.style.cssText = 'width: 480px; height: 480px; padding: 0';
     await new Promise((resolve) => setTimeout(resolve, 500));
     const blob = await viewer.toBlob('image/webp', 0.6);
     return new Promise((resolve) => {

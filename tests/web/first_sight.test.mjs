@@ -102,6 +102,41 @@ suite('first sight', () => {
     await viewer.close();
   });
 
+  test('the poster shows the model where it is drawn', async () => {
+    const viewer = await browser.open({ viewport: { width: 1024, height: 768 } });
+    await viewer.settled();
+    const [expected, drawn] = await viewer.evaluate(async (viewer) => {
+      /** The edges of what is not transparent in a picture that has a place on the page. */
+      const edges = (picture, { left, top, width, height }) => {
+        const context = new OffscreenCanvas(width, height).getContext('2d');
+        context.drawImage(picture, 0, 0, width, height);
+        const { data } = context.getImageData(0, 0, width, height);
+        const filled = [...Array(width * height).keys()].filter((i) => data[4 * i + 3] > 128);
+        const columns = filled.map((i) => i % width).sort((a, b) => a - b);
+        const right = left + columns.at(-1);
+        const bottom = top + Math.floor(filled.at(-1) / width);
+        return [left + columns[0], top + Math.floor(filled[0] / width), right, bottom];
+      };
+      const picture = await createImageBitmap(await viewer.toBlob());
+      const poster = document.querySelector('#poster');
+      viewer.reveal = 'manual'; // shows the poster again
+      viewer.showPoster();
+      const box = poster.getBoundingClientRect();
+      const side = Math.min(box.width, box.height);
+      const left = Math.round(box.left + (box.width - side) / 2);
+      const top = Math.round(box.top + (box.height - side) / 2);
+      await poster.decode();
+      return [
+        edges(poster, { left, top, width: Math.round(side), height: Math.round(side) }),
+        edges(picture, viewer.getBoundingClientRect().toJSON()),
+      ];
+    });
+    for (const [i, edge] of expected.entries()) {
+      assert.ok(Math.abs(edge - drawn[i]) < 12, `edges at ${expected}, drawn at ${drawn}`);
+    }
+    await viewer.close();
+  });
+
   test('what is edited before the regions are even is kept', async () => {
     const viewer = await browser.open({
       hash: '',

@@ -39,16 +39,20 @@ suite('the panel', () => {
     viewer.page.getByRole('heading', { name: title, exact: true }).click();
 
   test('at first sight nothing lies on the model, and the main controls are seen', async () => {
-    const caption = await viewer.page.locator('#caption').boundingBox();
-    const hit = await viewer.evaluate((viewer, { x, y, width, height }) => {
-      for (let px = x; px <= x + width; px += 4) {
-        for (let py = y; py <= y + height; py += 2) {
-          if (viewer.surfaceFromPoint(px, py)) return [px, py];
+    for (const width of [1024, 1280]) {
+      await viewer.page.setViewportSize({ width, height: 720 });
+      await viewer.still();
+      const caption = await viewer.page.locator('#caption').boundingBox();
+      const hit = await viewer.evaluate((viewer, { x, y, width, height }) => {
+        for (let px = x; px <= x + width; px += 4) {
+          for (let py = y; py <= y + height; py += 2) {
+            if (viewer.surfaceFromPoint(px, py)) return [px, py];
+          }
         }
-      }
-      return undefined;
-    }, caption);
-    assert.equal(hit, undefined);
+        return undefined;
+      }, caption);
+      assert.equal(hit, undefined, `in a window ${width} pixels wide`);
+    }
     for (const selector of ['#cvt-play', '#cvt-move', '#count', '#sampling-form [type=submit]']) {
       const { y, height } = await viewer.page.locator(selector).boundingBox();
       assert.ok(y + height <= 720, `${selector} ends at ${y + height} of 720 pixels`);
