@@ -231,7 +231,11 @@ suite('hands', () => {
     await viewer.evaluate((viewer) => viewer.refit());
   });
 
-  test('the exploded view fills the view, is not edited, and ends to play', async () => {
+  test('the exploded view of a turned model fills the view, is not edited, and ends to play', async () => {
+    const turned = await viewer.evaluate((viewer) => {
+      viewer.perform('turn-left');
+      return viewer.cameraOrbit;
+    });
     await viewer.after('exploded', () => viewer.page.locator('#exploded').fill('80'));
     const edge = await viewer.evaluate(async (viewer) => {
       const bitmap = await createImageBitmap(await viewer.toBlob());
@@ -241,6 +245,7 @@ suite('hands', () => {
       return data.filter((alpha, i) => i % 4 === 3 && alpha > 0).length;
     });
     assert.equal(edge, 0, 'nothing is cut off at the top');
+    assert.equal(await viewer.evaluate(({ cameraOrbit }) => cameraOrbit), turned);
     const { x, y, width, height } = await viewer.page.locator('geodesic-voronoi').boundingBox();
     await viewer.page.mouse.click(x + width / 2, y + height / 2);
     await viewer.page.locator('#note-text', { hasText: 'in the exploded view' }).waitFor();

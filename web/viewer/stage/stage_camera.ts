@@ -68,11 +68,14 @@ export class StageCamera {
     this.frame(this.#points);
   }
 
-  /** The radius around the origin that the content takes. What is framed stays so. */
+  /** The radius around the origin that the content takes. As much of it stays in view, wherever the camera is. */
   set reach(reach: number) {
     if (reach === this.#reach) return;
+    const { orbit } = this;
+    const isFramed = this.#isFramed;
     this.#reach = reach;
-    if (this.#isFramed) this.frame(this.#points);
+    this.orbit = orbit;
+    this.#isFramed = isFramed;
   }
 
   /**
@@ -130,17 +133,17 @@ export class StageCamera {
     this.#standAt(direction.clone().setLength(distance));
   }
 
-  /** The camera's place around its target. */
+  /** The camera's place around its target, as if the content did not reach beyond the unit sphere. */
   get orbit(): CameraOrbit {
     const { theta, phi, radius } = this.#placeAround();
-    const target = this.#controls.target.toArray();
-    return { theta, phi, radius: radius / this.#framingDistance, target };
+    const target = this.#controls.target.clone().divideScalar(this.#reach).toArray();
+    return { theta, phi, radius: radius / (this.#reach * this.#framingDistance), target };
   }
 
   set orbit({ theta, phi, radius, target }: CameraOrbit) {
     this.#stopGliding();
-    this.#controls.target.fromArray(target);
-    this.#placeAt(new Spherical(radius * this.#framingDistance, phi, theta));
+    this.#controls.target.fromArray(target).multiplyScalar(this.#reach);
+    this.#placeAt(new Spherical(radius * this.#reach * this.#framingDistance, phi, theta));
   }
 
   /** Turns around what the camera looks at, in radians. */
