@@ -31,13 +31,21 @@ export function watchAttributes(
 
 type Field = HTMLInputElement | HTMLSelectElement;
 
-/** Keeps fields at the values of the viewer's attributes, by whose names they are given. */
+/**
+ * Keeps fields at the values of the viewer's attributes, by whose names they are given. One that is set
+ * to what it was, as after a failure, leaves its field as it is.
+ */
 export function showAttributes(
   viewer: GeodesicVoronoiElement,
   fields: Readonly<Record<string, Field>>,
 ): void {
+  const shown = new Map<string, string>();
   watchAttributes(viewer, Object.keys(fields), () => {
-    for (const [name, field] of Object.entries(fields)) field.value = attributeOf(viewer, name);
+    for (const [name, field] of Object.entries(fields)) {
+      const value = attributeOf(viewer, name);
+      if (shown.get(name) !== value) field.value = value;
+      shown.set(name, value);
+    }
   });
 }
 
