@@ -103,9 +103,9 @@ std::span<const OppositeSide> FanBehind::sides(int vertex, int arrival, double c
     const int o = rightwards(step);
     const double length = oppositeLength(o);
     if (step != right.step) return length;
-    const double c = mesh_.face(o / 3).cosines[o % 3], s = mesh_.face(o / 3).sines[o % 3];
+    const double cosine = mesh_.face(o / 3).cosines[o % 3], sine = mesh_.face(o / 3).sines[o % 3];
     const Vector2d& rest = right.rest;
-    const Vector2d ray(c * rest.x() + s * rest.y(), s * rest.x() - c * rest.y());
+    const Vector2d ray(cosine * rest.x() + sine * rest.y(), sine * rest.x() - cosine * rest.y());
     return std::min(length, meetOpposite(o, ray) + kFanRounding * length);
   };
   if (isClosed) {
