@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
 //
-// Whatever is wrong on the command line or in a file is told in one line, with the right exit
-// status, and leaves no file behind.
+// Whatever is wrong on the command line or in a file is an error of the kind that decides the exit
+// status, and leaves no file behind. All of it is run on this thread, which takes a second where a
+// process for each line took half a minute; other tests of the command run processes.
 
 import assert from 'node:assert/strict';
-import { spawn } from 'node:child_process';
-import { mkdirSync, mkdtempSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { join } from 'node:path';
-import { after, before, test } from 'node:test';
-import { fileURLToPath } from 'node:url';
+import { mkdirSync, readdirSync, writeFileSync } from 'node:fs';
+import { after, test } from 'node:test';
+import { GeodesicVoronoiError } from 'geodesic-voronoi';
+import { parseCommandLine } from '../../dist/cli/command_line.js';
+import { execute } from '../../dist/cli/commands.js';
+import { FileError } from '../../dist/cli/files.js';
+import { UsageError } from '../../dist/cli/values.js';
 import { glb, octahedron } from './meshes.mjs';
-
-const main = fileURLToPath(new URL('../../dist/cli/main.js', import.meta.url));
+import { temporaryFolder } from './temporary_folder.mjs';
 
 const withSites = ['diagram', 'locate', 'distances', 'cvt', 'partition', 'dual', 'remesh'];
 const all = ['info', 'path', ...withSites];
@@ -24,7 +25,7 @@ const needed = {
 };
 const call = (command) => `${command} mesh.glb ${needed[command] ?? '--sites 2'} -o out.json`;
 
-/** Status 2: the command line is wrong. */
+/** What is wrong with the command line. */
 const misuses = [
   '',
   '-x',
@@ -78,7 +79,7 @@ const misuses = [
   'locate mesh.glb --sites 2 -o out.json',
 ];
 
-/** Status 1: what the command line names is wrong. */
+/** What is wrong with the files that it names. */
 const badInputs = [
   ...all.flatMap((command) => [
     call(command).replace('mesh.glb', 'nowhere.glb'),
@@ -110,52 +111,36 @@ const badInputs = [
   `dual mesh.glb --sites 1 -o out.json --check`,
 ];
 
-let folder;
-let contents;
-before(() => {
-  folder = mkdtempSync(join(tmpdir(), 'geodesic-voronoi-'));
-  mkdirSync(join(folder, 'folder.json'));
-  writeFileSync(join(folder, 'mesh.glb'), glb(octahedron()));
-  writeFileSync(join(folder, 'one.json'), '{"vertex": [0]}');
-  writeFileSync(join(folder, 'beyond.json'), '{"vertex": [99]}');
-  writeFileSync(join(folder, 'list.json'), '[7]');
-  writeFileSync(join(folder, 'places.json'), '{"position": [0, 0]}');
-  contents = readdirSync(folder);
-});
-after(() => rmSync(folder, { recursive: true }));
+const home = process.cwd();
+after(() => process.chdir(home));
+process.chdir(temporaryFolder());
+mkdirSync('folder.json');
+writeFileSync('mesh.glb', glb(octahedron()));
+writeFileSync('one.json', '{"vertex": [0]}');
+writeFileSync('beyond.json', '{"vertex": [99]}');
+writeFileSync('list.json', '[7]');
+writeFileSync('places.json', '{"position": [0, 0]}');
+const contents = readdirSync('.');
 
-function run(args) {
-  return new Promise((resolve, reject) => {
-    const child = spawn(process.execPath, [main, ...args.split(' ').filter(Boolean)], {
-      cwd: folder,
-      stdio: ['ignore', 'pipe', 'pipe'],
-    });
-    const texts = { stdout: '', stderr: '' };
-    for (const name of ['stdout', 'stderr']) {
-      child[name].setEncoding('utf8').on('data', (text) => (texts[name] += text));
-    }
-    child.on('error', reject).on('close', (status) => resolve({ status, ...texts }));
-  });
-}
+const run = async (args) => execute(parseCommandLine(args.split(' ').filter(Boolean), ''));
 
-async function assertFails(args, expected) {
-  const { status, stdout, stderr } = await run(args);
-  const what = `geodesic-voronoi ${args}\n${stderr}`;
-  assert.equal(status, expected, what);
-  assert.match(stderr, /^geodesic-voronoi: [^\n]{4,300}\n$/, what);
-  assert.equal(stdout, '', what);
-  assert.deepEqual(readdirSync(folder), contents, what);
-}
-
-for (const [what, status, lines] of [
-  ['a wrong command line', 2, misuses],
-  ['a wrong file', 1, badInputs],
+for (const [what, kinds, lines] of [
+  ['a wrong command line', [UsageError], misuses],
+  ['a wrong file', [FileError, GeodesicVoronoiError], badInputs],
 ]) {
-  test(`${what}: status ${status} and one line (${lines.length} ways)`, async () => {
-    const left = [...lines];
-    const work = async () => {
-      while (left.length > 0) await assertFails(left.shift(), status);
-    };
-    await Promise.all([work(), work()]);
+  test(`${what} is told as such, and by nothing else (${lines.length} ways)`, async ({ mock }) => {
+    const written = mock.method(process.stderr, 'write', () => true).mock;
+    for (const line of lines) {
+      await assert.rejects(run(line), (error) => {
+        assert.ok(
+          kinds.some((kind) => error instanceof kind),
+          `${line}: ${error.stack}`,
+        );
+        assert.match(error.message, /^[^]{4,300}$/, line);
+        return true;
+      });
+      assert.equal(written.callCount(), 0, line);
+      assert.deepEqual(readdirSync('.'), contents, line);
+    }
   });
 }
