@@ -4,20 +4,16 @@
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { readFileSync, symlinkSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { after, before, suite, test } from 'node:test';
+import { suite, test } from 'node:test';
 import { torus } from '../../web/page/samples/shapes.mjs';
 import { glb } from '../wasm/meshes.mjs';
 import { blocks, root, textOf } from './documents.mjs';
+import { temporaryFolder } from '../wasm/temporary_folder.mjs';
 
-let folder;
-before(() => {
-  folder = mkdtempSync(join(tmpdir(), 'geodesic-voronoi-'));
-  writeFileSync(join(folder, 'model.glb'), glb(torus(40, 20)));
-});
-after(() => rmSync(folder, { recursive: true }));
+const folder = temporaryFolder();
+writeFileSync(join(folder, 'model.glb'), glb(torus(40, 20)));
 
 /** The names of the first column of a section's table. */
 function namesIn(path, section) {

@@ -3,10 +3,9 @@
 // The documents' pages for a browser: the README's and the example of a live diagram.
 
 import assert from 'node:assert/strict';
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
+import { after, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { chromium } from 'playwright-core';
 import { servePackages } from '../../web/docs/make/packages_server.mjs';
@@ -14,21 +13,15 @@ import { torus } from '../../web/page/samples/shapes.mjs';
 import { glb } from '../wasm/meshes.mjs';
 import { browserOptions } from '../web/browser.mjs';
 import { blocks, root } from './documents.mjs';
+import { temporaryFolder } from '../wasm/temporary_folder.mjs';
 
 const live = readFileSync(join(root, 'web/docs/examples/live.html'), 'utf8');
-let folder, server, browser;
-
-before(async () => {
-  folder = mkdtempSync(join(tmpdir(), 'geodesic-voronoi-'));
-  writeFileSync(join(folder, 'model.glb'), glb(torus(40, 20)));
-  server = await servePackages(folder);
-  browser = await chromium.launch(browserOptions);
-});
-after(async () => {
-  await browser?.close();
-  server?.close();
-  rmSync(folder, { recursive: true });
-});
+const folder = temporaryFolder();
+writeFileSync(join(folder, 'model.glb'), glb(torus(40, 20)));
+const server = await servePackages(folder);
+after(() => server.close());
+const browser = await chromium.launch(browserOptions);
+after(() => browser.close());
 
 /** Opens a page and waits until its element is at rest. */
 async function open(html) {

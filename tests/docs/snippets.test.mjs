@@ -5,28 +5,23 @@
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { copyFileSync, mkdirSync, mkdtempSync, rmSync, symlinkSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { copyFileSync, mkdirSync, symlinkSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
+import { test } from 'node:test';
 import { torus } from '../../web/page/samples/shapes.mjs';
 import { glb } from '../wasm/meshes.mjs';
 import { blocks, markdownFiles, root } from './documents.mjs';
+import { temporaryFolder } from '../wasm/temporary_folder.mjs';
 
-let folder;
-
-before(() => {
-  folder = mkdtempSync(join(tmpdir(), 'geodesic-voronoi-'));
-  mkdirSync(join(folder, 'node_modules'));
-  symlinkSync(root, join(folder, 'node_modules', 'geodesic-voronoi'));
-  symlinkSync(join(root, 'node_modules/three'), join(folder, 'node_modules', 'three'));
-  writeFileSync(join(folder, 'model.glb'), glb(torus(40, 20)));
-  const lists = { sites: [0, 200, 400], points: [5, 17], a: [3], b: [77] };
-  for (const [name, vertex] of Object.entries(lists)) {
-    writeFileSync(join(folder, `${name}.json`), JSON.stringify({ vertex }));
-  }
-});
-after(() => rmSync(folder, { recursive: true }));
+const folder = temporaryFolder();
+mkdirSync(join(folder, 'node_modules'));
+symlinkSync(root, join(folder, 'node_modules', 'geodesic-voronoi'));
+symlinkSync(join(root, 'node_modules/three'), join(folder, 'node_modules', 'three'));
+writeFileSync(join(folder, 'model.glb'), glb(torus(40, 20)));
+const lists = { sites: [0, 200, 400], points: [5, 17], a: [3], b: [77] };
+for (const [name, vertex] of Object.entries(lists)) {
+  writeFileSync(join(folder, `${name}.json`), JSON.stringify({ vertex }));
+}
 
 function run(command, args) {
   const { status, stdout, stderr } = spawnSync(command, args, { cwd: folder, encoding: 'utf8' });

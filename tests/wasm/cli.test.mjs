@@ -11,8 +11,9 @@ import { parseCommandLine } from '../../dist/cli/command_line.js';
 import { commands } from '../../dist/cli/options.js';
 import { fails, folder, read, run, succeeds, write } from './command.mjs';
 import { assertValidGlb } from './files.mjs';
-import { glb, gltf, octahedron, withFlipped } from './meshes.mjs';
+import { glb, gltf, octahedron, torn, withFlipped } from './meshes.mjs';
 import { meshBinaryStl, meshObj } from './model_files.mjs';
+import { near } from './expectations.mjs';
 
 test('--help and --version', () => {
   const overview = succeeds('--help').stdout;
@@ -112,10 +113,7 @@ test('info of several meshes: all that can be read, and status 1 if one cannot',
 
 test('--max-edge, --weld, --orientation and --min-component: how the mesh is made', () => {
   const { positions, indices } = octahedron();
-  const torn = indices.flatMap((v, i) =>
-    positions.slice(3 * v, 3 * v + 3).map((x) => x + 1e-6 * (i % 3)),
-  );
-  write('torn.obj', meshObj({ positions: torn, indices: indices.map((_, i) => i) }));
+  write('torn.obj', meshObj(torn(octahedron(), 1e-6)));
   const { stdout } = succeeds('info torn.obj --weld 1e-5');
   assert.match(stdout, /components +1\n[^]*repair: 18 vertices welded/);
   assert.match(succeeds('info torn.obj').stdout, /components +8\n/);
@@ -144,7 +142,7 @@ test('--max-edge, --weld, --orientation and --min-component: how the mesh is mad
   succeeds('cvt shape.glb --sites 3 --iterations 0 -o whole.json');
   succeeds('cvt shape.glb --sites whole.json --max-edge 0.2 --iterations 0 -o finer.json');
   placesOf('finer.json').forEach((x, i) => {
-    assert.ok(Math.abs(x - placesOf('whole.json')[i]) < 1e-12);
+    near(x, placesOf('whole.json')[i], 1e-12);
   });
   fails(1, 'diagram two.glb --sites finer.json --max-edge 0.2', /belong to another mesh/);
 
@@ -211,8 +209,8 @@ test('--units: a unit of length, or a factor', () => {
     JSON.parse(succeeds(`info shape.glb --json --units ${units}`).stdout).area;
   const { scale, unit, ...facts } = JSON.parse(succeeds('info shape.glb --json').stdout);
   assert.deepEqual([scale, unit, facts.area], [1, 'm', area('m')]);
-  assert.ok(Math.abs(area('cm') / area('m') - 1e4) < 1e-6);
-  assert.ok(Math.abs(area('0.5') / area('m') - 0.25) < 1e-9);
+  near(area('cm') / area('m'), 1e4, 1e-6);
+  near(area('0.5') / area('m'), 0.25, 1e-9);
   for (const units of ['parsec', '0', '-1', 'Infinity', 'toString']) {
     fails(2, `info shape.glb --units=${units}`, /--units/);
   }

@@ -8,36 +8,30 @@ import { spawn, spawnSync } from 'node:child_process';
 import {
   lstatSync,
   mkdirSync,
-  mkdtempSync,
   readdirSync,
   readFileSync,
   rmSync,
   statSync,
   writeFileSync,
 } from 'node:fs';
-import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
+import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { zipSync } from 'fflate';
 import { bumpySphere, glb, gltf, octahedron } from './meshes.mjs';
 import { meshObj } from './model_files.mjs';
+import { temporaryFolder } from './temporary_folder.mjs';
 
 const main = fileURLToPath(new URL('../../dist/cli/main.js', import.meta.url));
 const isUnix = process.platform !== 'win32';
 
-let folder;
-let contents;
-before(() => {
-  folder = mkdtempSync(join(tmpdir(), 'geodesic-voronoi-'));
-  writeFileSync(join(folder, 'mesh.glb'), glb(octahedron()));
-  writeFileSync(join(folder, 'large.glb'), glb(bumpySphere(120, 200)));
-  writeFileSync(join(folder, 'old.json'), 'old');
-  const parts = { 'a/one.obj': meshObj(octahedron()), 'two.obj': meshObj(bumpySphere(5, 6)) };
-  writeFileSync(join(folder, 'parts.zip'), zipSync(parts));
-  contents = readdirSync(folder).sort();
-});
-after(() => rmSync(folder, { recursive: true }));
+const folder = temporaryFolder();
+writeFileSync(join(folder, 'mesh.glb'), glb(octahedron()));
+writeFileSync(join(folder, 'large.glb'), glb(bumpySphere(120, 200)));
+writeFileSync(join(folder, 'old.json'), 'old');
+const parts = { 'a/one.obj': meshObj(octahedron()), 'two.obj': meshObj(bumpySphere(5, 6)) };
+writeFileSync(join(folder, 'parts.zip'), zipSync(parts));
+const contents = readdirSync(folder).sort();
 
 /** A line of the shell, in which `gv` is the command. */
 function shell(line) {

@@ -9,6 +9,7 @@ import { test } from 'node:test';
 import { fails, folder, read, succeeds, write } from './command.mjs';
 import { assertValidGlb, readPly } from './files.mjs';
 import { glb, grid } from './meshes.mjs';
+import { near } from './expectations.mjs';
 
 test('diagram as JSON, to a file or to standard output', () => {
   const { stderr } = succeeds('diagram shape.glb --sites 5 --seed 7 -o d.json');
@@ -37,7 +38,7 @@ test('partition as GLB, OBJ, PLY and JSON', () => {
   const json = JSON.parse(succeeds('partition shape.glb --sites 5 --units cm').stdout);
   const area = JSON.parse(succeeds('info shape.glb --json').stdout).area;
   const areas = json.regions.reduce((sum, region) => sum + region.area, 0);
-  assert.ok(Math.abs(areas / area / 1e4 - 1) < 1e-12);
+  near(areas / area / 1e4, 1, 1e-12);
   const parts = JSON.parse(succeeds('info parts.glb --json').stdout);
   assert.equal(parts.faces, json.triangles.label.length);
   assert.deepEqual(
@@ -118,7 +119,7 @@ test('remesh tells its quality', () => {
   assert.equal(topology.isManifold, true);
   assert.ok(quality.minAngle > 0 && quality.hausdorff > 0);
   const shown = Number(/Hausdorff distance ([\d.]+)/.exec(stderr)[1]);
-  assert.ok(Math.abs(quality.hausdorff / 10 / shown - 1) < 1e-3, 'it is in the unit of the output');
+  near(quality.hausdorff / 10 / shown, 1, 1e-3, 'it is in the unit of the output');
 });
 
 test('remesh with a density, and with sites that stay', () => {
@@ -179,8 +180,8 @@ test('distances as JSON, PLY and GLB', async () => {
   const { label, distance, direction } = JSON.parse(read('d.json'));
   assert.deepEqual([label[0], label[3], label[6]], [0, 1, -1]);
   assert.deepEqual([distance[0], distance[3], distance[6]], [0, 0, null]);
-  assert.ok(Math.abs(distance[1] - 2 * Math.SQRT2) < 1e-12);
-  assert.ok(Math.abs(Math.hypot(direction[2], direction[3]) - 1) < 1e-12);
+  near(distance[1], 2 * Math.SQRT2, 1e-12);
+  near(Math.hypot(direction[2], direction[3]), 1, 1e-12);
   assert.equal(direction[12], null);
   assert.equal(direction.length, 20);
   succeeds('distances two.glb --sites d.json --metric dgpc -o d.ply');
@@ -255,11 +256,9 @@ test('partition as STL: all regions, or one of them', () => {
   };
   const { regions } = JSON.parse(succeeds('partition shape.glb --sites 3').stdout);
   const areas = regions.map(({ area }) => area);
-  areas.forEach((area, label) =>
-    assert.ok(Math.abs(areaOf(`--region ${label}`) - area) < 1e-5 * area),
-  );
+  areas.forEach((area, label) => near(areaOf(`--region ${label}`), area, 1e-5 * area));
   const all = areas.reduce((sum, area) => sum + area);
-  assert.ok(Math.abs(areaOf() - all) < 1e-5 * all);
+  near(areaOf(), all, 1e-5 * all);
   fails(
     1,
     'partition shape.glb --sites 3 --region 3 -q -o part.stl',
@@ -281,7 +280,7 @@ test('path as JSON and OBJ', () => {
   succeeds('path shape.glb --from from.json --to to.json --units cm -o p.json');
   const [path] = JSON.parse(read('p.json')).paths;
   // Over two faces, as straight as in the plane.
-  assert.ok(Math.abs(path.length - 100 * Math.sqrt(6)) < 1e-9);
+  near(path.length, 100 * Math.sqrt(6), 1e-9);
   assert.equal(path.points.face.length, 3);
   assert.equal(path.points.position[0], 100);
   succeeds('path shape.glb --from sites.json --to to.json -o p.obj');

@@ -8,6 +8,7 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { fails, folder, read, succeeds, write } from './command.mjs';
 import { glb, grid } from './meshes.mjs';
+import { near } from './expectations.mjs';
 
 test('sites and points by their coordinates', () => {
   write('places.json', '{"position": [1, 0, 0, 0, 2, 0]}');
@@ -112,7 +113,7 @@ test('cvt writes sites that other commands read, and the energy of every iterati
     succeeds('cvt shape.glb --sites 5 --iterations 1 --method lloyd --units cm').stdout,
   );
   assert.equal(lloyd.energy.length, 2);
-  assert.ok(Math.abs(lloyd.energy[0] / energy[0] / 1e8 - 1) < 1e-12);
+  near(lloyd.energy[0] / energy[0] / 1e8, 1, 1e-12);
 
   const exact = JSON.parse(
     succeeds('cvt shape.glb --sites 5 --iterations 1 --metric exact').stdout,
@@ -126,7 +127,7 @@ test('cvt writes sites that other commands read, and the energy of every iterati
     'cvt shape.glb --sites 5 --energy-tolerance 0.01 --units cm -o c.ply',
   ).stderr;
   assert.match(soon, /^5 sites, \d+ iterations, energy/);
-  assert.ok(Math.abs(first(soon) / energy[0] / 1e8 - 1) < 1e-5, 'areas times squared lengths');
+  near(first(soon) / energy[0] / 1e8, 1, 1e-5, 'areas times squared lengths');
   assert.match(read('c.ply'), /^ply\n[^]*element vertex 5\nproperty double x/);
   const again = succeeds('cvt shape.glb --sites c.ply --iterations 0 -o again.json').stderr;
   assert.doesNotMatch(again, /from the surface/, 'coordinates are in the unit of the model');
@@ -145,7 +146,7 @@ test('random sites are spread by the density', () => {
     JSON.parse(succeeds(`cvt shape.glb --sites 200 --iterations 0 ${options}`).stdout).position;
   const meanX = (position) =>
     position.reduce((sum, x, i) => sum + (i % 3 === 0 ? x : 0), 0) / (position.length / 3);
-  assert.ok(Math.abs(meanX(spread('--seed 2'))) < 0.1);
+  near(meanX(spread('--seed 2')), 0, 0.1);
   assert.ok(meanX(spread('--density left.json')) > 0.4);
 });
 

@@ -3,7 +3,7 @@
 // What the garbage collector may free, and what not.
 
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
+import { after, test } from 'node:test';
 import { setTimeout as pause } from 'node:timers/promises';
 import { setFlagsFromString } from 'node:v8';
 import { runInNewContext } from 'node:vm';
@@ -13,10 +13,7 @@ import { grid } from './meshes.mjs';
 setFlagsFromString('--expose-gc');
 const collect = runInNewContext('gc');
 
-let gvd;
-before(async () => {
-  gvd = await load();
-});
+const gvd = await load();
 after(() => gvd.dispose());
 
 test('a mesh or a diagram that nobody refers to any more stays until its call is done', async (t) => {

@@ -4,16 +4,15 @@
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { after, beforeEach } from 'node:test';
+import { beforeEach } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { apart, glb, grid, octahedron } from './meshes.mjs';
+import { temporaryFolder } from './temporary_folder.mjs';
 
 const main = fileURLToPath(new URL('../../dist/cli/main.js', import.meta.url));
-export const folder = mkdtempSync(join(tmpdir(), 'geodesic-voronoi-'));
-after(() => rmSync(folder, { recursive: true }));
+export const folder = temporaryFolder();
 beforeEach(() => {
   rmSync(folder, { recursive: true });
   mkdirSync(folder);

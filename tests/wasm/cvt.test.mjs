@@ -3,17 +3,14 @@
 // That centroidal tessellations arrive iteration by iteration, on this thread and from a worker.
 
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
+import { after, test } from 'node:test';
 import { load } from 'geodesic-voronoi';
 import { grid, octahedron, withFlipped } from './meshes.mjs';
-import { fails } from './expectations.mjs';
+import { fails, near } from './expectations.mjs';
 
-let gvd, mesh, sites;
-before(async () => {
-  gvd = await load();
-  mesh = await gvd.mesh(grid(8));
-  sites = await mesh.sampleSites(12, { seed: 3 });
-});
+const gvd = await load();
+const mesh = await gvd.mesh(grid(8));
+const sites = await mesh.sampleSites(12, { seed: 3 });
 after(() => gvd.dispose());
 
 async function collect(states) {
@@ -45,9 +42,7 @@ test('with the diagram of its sites, if asked for', async () => {
     assert.equal(data.siteCount, 12);
     assert.deepEqual(data.faceLabel, expected.faceLabel);
     assert.deepEqual(data.segments, expected.segments);
-    data.regionArea.forEach((area, l) =>
-      assert.ok(Math.abs(area - expected.regionArea[l]) < 1e-12),
-    );
+    data.regionArea.forEach((area, l) => near(area, expected.regionArea[l], 1e-12));
   }
 });
 
@@ -68,7 +63,7 @@ test('with a diagram that can be asked and changed, and outlives the iterations 
     const { label, distance } = await diagram.locate({ vertex: [0, 40, 80] });
     const wanted = await expected.locate({ vertex: [0, 40, 80] });
     assert.deepEqual(label, wanted.label);
-    distance.forEach((d, i) => assert.ok(Math.abs(d - wanted.distance[i]) < 1e-12));
+    distance.forEach((d, i) => near(d, wanted.distance[i], 1e-12));
     assert.equal(
       (await diagram.dual()).vertexLabel.length,
       (await expected.dual()).vertexLabel.length,
@@ -137,13 +132,9 @@ test('leaving the loop, aborting and disposing end it', async () => {
   await assert.rejects(collect(disposed.cvt({ vertex: [0] })), fails('disposed'));
 });
 
-test('options that do not fit are refused', async () => {
+test('densities and fixed sites that do not fit are refused', async () => {
   const refused = (options, message) =>
     assert.rejects(collect(mesh.cvt(sites, options)), fails('invalid-argument', message));
-  await refused({ method: 'newton' }, /method is "newton"/);
-  await refused({ metric: 'far' }, /metric is "far"/);
-  await refused({ iterations: 1.5 }, /iterations is 1.5/);
-  await refused({ moveTolerance: NaN }, /moveTolerance is NaN/);
   await refused({ density: [1, 2] }, /2 densities/);
   await refused({ fixedSites: [12] }, /site 12/);
 });
@@ -154,28 +145,15 @@ test('sites are sampled in three ways', async () => {
     assert.equal(face.length, 20);
     assert.equal(bary.length, 60);
   }
-  await assert.rejects(
-    mesh.sampleSites(20, { sampling: 'blue' }),
-    fails('invalid-argument', /sampling is "blue"/),
-  );
 });
 
 test('remesh: the sites given and some more, moved, with a valid dual', async () => {
   const sphere = await gvd.mesh(octahedron());
   for (const start of [{ vertex: [0, 3] }, await sphere.sampleSites(20)]) {
-    const shares = [];
-    const diagram = await sphere.remesh(start, {
-      iterations: 5,
-      onProgress: (share) => shares.push(share),
-    });
+    const diagram = await sphere.remesh(start, { iterations: 5 });
     assert.ok(diagram.sites.face.length >= (start.vertex ?? start.face).length);
     assert.deepEqual(await diagram.violations(), []);
     assert.equal((await diagram.dual()).topology.eulerCharacteristic, 2);
-    assert.equal(shares.at(-1), 1);
-    assert.deepEqual(
-      shares,
-      [...shares].sort((a, b) => a - b),
-    );
   }
   await assert.rejects(sphere.remesh({ vertex: [0, 3] }, { maxAdded: 1 }), fails('too-few-sites'));
 });

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, it } from 'node:test';
 import { load } from 'geodesic-voronoi';
-import { bumpySphere } from './meshes.mjs';
+import { bumpySphere, pointAt } from './meshes.mjs';
 
 for (const metric of ['exact', 'dgpc'])
   describe(`sites that come, go and move, ${metric}`, () => {
@@ -14,12 +14,6 @@ for (const metric of ['exact', 'dgpc'])
       mesh = await library.mesh(bumpySphere(24, 36));
     });
     after(() => library.dispose());
-
-    /** One of the points, as a list. */
-    const single = (points, i) => ({
-      face: points.face.slice(i, i + 1),
-      bary: points.bary.slice(3 * i, 3 * i + 3),
-    });
 
     /** The diagram of the sites there are, and the label that each of them has in `diagram`. */
     const computedAnew = async (diagram) => {
@@ -76,14 +70,14 @@ for (const metric of ['exact', 'dgpc'])
       const diagram = await mesh.voronoi(await mesh.sampleSites(30), { metric });
       const places = await mesh.sampleSites(24, { seed: 5 });
       for (let i = 0; i < 24; i += 3) {
-        const { label } = await diagram.insertSite(single(places, i));
+        const { label } = await diagram.insertSite(pointAt(places, i));
         assert.equal(diagram.sites.face[label], places.face[i]);
         await assertUpToDate(diagram);
-        await diagram.moveSite((7 * i) % 30, single(places, i + 1));
+        await diagram.moveSite((7 * i) % 30, pointAt(places, i + 1));
         await assertUpToDate(diagram);
         await diagram.removeSite(i % 2 ? label : (5 * i + 1) % 30);
         await assertUpToDate(diagram);
-        await diagram.insertSite(single(places, i + 2));
+        await diagram.insertSite(pointAt(places, i + 2));
       }
       diagram.dispose();
     });
@@ -91,7 +85,7 @@ for (const metric of ['exact', 'dgpc'])
     it('merges several changes at once', async () => {
       const diagram = await mesh.voronoi(await mesh.sampleSites(12), { metric });
       const places = await mesh.sampleSites(6, { seed: 5 });
-      await Promise.all([0, 1, 2, 3].map((i) => diagram.moveSite(2 * i, single(places, i))));
+      await Promise.all([0, 1, 2, 3].map((i) => diagram.moveSite(2 * i, pointAt(places, i))));
       await diagram.removeSite(11);
       await assertUpToDate(diagram);
       diagram.dispose();
@@ -120,7 +114,7 @@ for (const metric of ['exact', 'dgpc'])
     it('arguments are copied at the call, and refused at once if they are wrong', async () => {
       const diagram = await mesh.voronoi(await mesh.sampleSites(12), { metric });
       const places = await mesh.sampleSites(3, { seed: 5 });
-      const used = single(places, 0);
+      const used = pointAt(places, 0);
       const changes = [];
       for (let i = 0; i < 3; ++i) {
         used.face.set(places.face.subarray(i, i + 1));
@@ -158,11 +152,11 @@ for (const metric of ['exact', 'dgpc'])
       ];
       assert.equal(await fetched.fetchData(), fetched.data, 'nothing has changed');
       for (const diagram of [fetched, together]) {
-        for (let i = 0; i < 3; ++i) void diagram.moveSite(i, single(places, i));
+        for (let i = 0; i < 3; ++i) void diagram.moveSite(i, pointAt(places, i));
       }
       const before = fetched.regions;
       const fetching = fetched.fetchData();
-      const inserted = fetched.insertSite(single(places, 3));
+      const inserted = fetched.insertSite(pointAt(places, 3));
       const data = await fetching;
       assert.equal(data.siteCount, 12, 'what was asked for later is not in it');
       const changed = await together.removeSite(11);

@@ -6,6 +6,7 @@
 import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { triples } from './meshes.mjs';
 
 const validator = createRequire(import.meta.url)('gltf-validator');
 
@@ -37,6 +38,12 @@ export function trianglesOf({ index, attributes: { position } }) {
   );
 }
 
+/** Corner by corner, the positions of the triangles of a partition. */
+export function placedTriangles({ points, triangles }) {
+  const places = triples(points.position);
+  return triples(triangles.points).map((corners) => corners.map((point) => places[point]));
+}
+
 /** The area of a polygon in space. */
 export function areaOf(corners) {
   const sum = [0, 0, 0];
@@ -50,6 +57,18 @@ export function areaOf(corners) {
     }
   }
   return Math.hypot(...sum);
+}
+
+/** A list of lists, as lists. */
+export const listsOf = ({ offset, points }) =>
+  Array.from({ length: offset.length - 1 }, (_, i) => [
+    ...points.subarray(offset[i], offset[i + 1]),
+  ]);
+
+/** The JSON of a GLB. */
+export function jsonOf(glb) {
+  const bytes = Buffer.from(glb.buffer, glb.byteOffset, glb.byteLength);
+  return JSON.parse(bytes.subarray(20, 20 + bytes.readUInt32LE(12)));
 }
 
 export const total = (values) => values.reduce((sum, value) => sum + value, 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import assert from 'node:assert/strict';
-import { before, test } from 'node:test';
+import { test } from 'node:test';
 import {
   diagramGlb,
   diagramJson,
@@ -10,20 +10,14 @@ import {
   partitionGlb,
   polygonGlb,
 } from 'geodesic-voronoi';
-import { assertValidGlb } from './files.mjs';
+import { assertValidGlb, jsonOf } from './files.mjs';
 import { bumpySphere, grid } from './meshes.mjs';
 import { near } from './expectations.mjs';
 
-let gvd;
-let diagram;
-let mesh;
-let single;
-before(async () => {
-  gvd = await load();
-  mesh = await gvd.mesh(grid(5));
-  diagram = await mesh.voronoi(await mesh.sampleSites(6));
-  single = await mesh.voronoi({ vertex: [0] });
-});
+const gvd = await load();
+const mesh = await gvd.mesh(grid(5));
+const diagram = await mesh.voronoi(await mesh.sampleSites(6));
+const single = await mesh.voronoi({ vertex: [0] });
 
 /** The length of all bisectors together. */
 function length(places, pairs) {
@@ -140,7 +134,7 @@ test('GLB draws every bisector once', () => {
   const view = new DataView(bytes.buffer);
   assert.equal(view.getUint32(8, true), bytes.length);
   const jsonLength = view.getUint32(12, true);
-  const json = JSON.parse(new TextDecoder().decode(bytes.subarray(20, 20 + jsonLength)));
+  const json = jsonOf(bytes);
   const bin = 28 + jsonLength;
   assert.equal(json.meshes[0].primitives[0].mode, 1);
   const [vertices, indices] = json.accessors;
@@ -168,7 +162,7 @@ test('a diagram without bisectors is a valid file all the same', () => {
     0,
   );
   const bytes = diagramGlb(single.data);
-  const json = JSON.parse(new TextDecoder().decode(bytes.subarray(20)));
+  const json = jsonOf(bytes);
   assert.deepEqual(json.scenes, [{}]);
 });
 

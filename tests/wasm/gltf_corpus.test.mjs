@@ -4,26 +4,20 @@
 
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { after, before, test } from 'node:test';
+import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { load } from 'geodesic-voronoi';
+import { temporaryFolder } from './temporary_folder.mjs';
 
 const executable = fileURLToPath(
   new URL('../../build/native/tests/gvd_gltf_corpus', import.meta.url),
 );
 
-let folder;
-let corpus;
-let gvd;
-before(async () => {
-  folder = mkdtempSync(join(tmpdir(), 'geodesic-voronoi-'));
-  corpus = JSON.parse(execFileSync(executable, [folder], { maxBuffer: 2 ** 26 }));
-  gvd = await load();
-});
-after(() => rmSync(folder, { recursive: true }));
+const folder = temporaryFolder();
+const corpus = JSON.parse(execFileSync(executable, [folder], { maxBuffer: 2 ** 26 }));
+const gvd = await load();
 
 async function verdictOn(files) {
   try {

@@ -4,7 +4,7 @@
 // broken is refused in a sentence.
 
 import assert from 'node:assert/strict';
-import { before, test } from 'node:test';
+import { test } from 'node:test';
 import { zipSync } from 'fflate';
 import { findModel, listModels, load } from 'geodesic-voronoi';
 import { total } from './files.mjs';
@@ -22,14 +22,11 @@ import {
   meshTextStl,
   packageModels,
 } from './model_files.mjs';
-import { fails } from './expectations.mjs';
+import { fails, near } from './expectations.mjs';
 
 const bytesOf = (text) => new TextEncoder().encode(text);
 
-let gvd;
-before(async () => {
-  gvd = await load();
-});
+const gvd = await load();
 
 /** The regions of a few sites make up the surface. */
 async function assertDivided(mesh, what, sites = { face: [0], bary: [1 / 3, 1 / 3, 1 / 3] }) {
@@ -37,7 +34,7 @@ async function assertDivided(mesh, what, sites = { face: [0], bary: [1 / 3, 1 / 
   const { regionArea, faceLabel } = diagram.data;
   const isReached = faceLabel.every((label) => label !== -1);
   const share = total([...regionArea]) / mesh.info.area;
-  if (isReached) assert.ok(Math.abs(share - 1) < 1e-9, `${what}: ${share}`);
+  if (isReached) near(share, 1, 1e-9, what);
   else assert.ok(share < 1 + 1e-9, `${what}: ${share}`);
   return diagram;
 }
@@ -71,7 +68,7 @@ test('the same mesh gives the same diagram from every format', async () => {
     const { data } = await assertDivided(mesh, name, sites);
     assert.deepEqual([...data.faceLabel], [...expected.data.faceLabel], name);
     data.regionArea.forEach((area, i) => {
-      assert.ok(Math.abs(area / expected.data.regionArea[i] - 1) < 1e-12, `${name}: ${area}`);
+      near(area / expected.data.regionArea[i], 1, 1e-12, name);
     });
   }
   // Draco rounds to 2^-16 of the size, and lets each face begin at any of its corners.
@@ -81,7 +78,7 @@ test('the same mesh gives the same diagram from every format', async () => {
   const { data } = await assertDivided(mesh, 'Draco', centres);
   const { data: exact } = await (await gvd.mesh(sphere)).voronoi(centres);
   data.regionArea.forEach((area, i) => {
-    assert.ok(Math.abs(area / exact.regionArea[i] - 1) < 1e-3, `Draco: ${area}`);
+    near(area / exact.regionArea[i], 1, 1e-3, 'Draco');
   });
 });
 
@@ -190,7 +187,7 @@ l 1 2`;
   const mesh = await gvd.mesh(bytesOf(obj));
   assert.equal(mesh.info.faces, 4 + 3 + 1);
   assert.equal(mesh.info.repairs.isolatedVertices, 0);
-  assert.ok(Math.abs(mesh.info.area - 7.5) < 1e-12);
+  near(mesh.info.area, 7.5, 1e-12);
   assert.deepEqual(mesh.info.notes, [
     '2 polygons were cut into triangles',
     '1 line or point was passed over',
@@ -241,7 +238,7 @@ test('polygons with corners in a line keep their area, and none of their triangl
       bytesOf(`${lines.join('\n')}\nf ${polygon.map((_, i) => i + 1).join(' ')}`),
     );
     assert.equal(info.faces, polygon.length - 2);
-    assert.ok(Math.abs(info.area - area) < 1e-12, `${info.area}, not ${area}`);
+    near(info.area, area, 1e-12);
     assert.equal(info.repairs.mollifiedTriangles, 0);
   }
 });

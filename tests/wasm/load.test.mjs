@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { copyFileSync, mkdirSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { copyFileSync, mkdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
@@ -15,6 +14,7 @@ import {
   loadWorker,
 } from 'geodesic-voronoi';
 import { glb, octahedron } from './meshes.mjs';
+import { temporaryFolder } from './temporary_folder.mjs';
 
 const dist = new URL('../../dist/', import.meta.url);
 const coreUrl = new URL('core.wasm', dist);
@@ -60,9 +60,8 @@ test('objects of other frames are taken as those of this one', async () => {
   assert.deepEqual(gltfResourceUris(model), []);
 });
 
-test('in a path, # and % and ? are letters as any others', async (t) => {
-  const folder = mkdtempSync(join(tmpdir(), 'geodesic-voronoi-'));
-  t.after(() => rmSync(folder, { recursive: true }));
+test('in a path, # and % and ? are letters as any others', async () => {
+  const folder = temporaryFolder();
   mkdirSync(join(folder, 'x#y%20?'));
   const path = join(folder, 'x#y%20?', 'core.wasm');
   copyFileSync(fileURLToPath(coreUrl), path);

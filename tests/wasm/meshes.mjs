@@ -41,6 +41,25 @@ export function withFlipped({ positions, indices }, f) {
   return { positions, indices: flipped };
 }
 
+/** The same triangles with vertices of their own, apart from each other by a gap. */
+export function torn({ positions, indices }, gap = 0) {
+  const corners = triples(positions);
+  return {
+    positions: indices.flatMap((v, i) => corners[v].map((x) => x + gap * (i % 3))),
+    indices: indices.map((_, i) => i),
+  };
+}
+
+/** Numbers by threes, as those of a vertex or of a triangle. */
+export const triples = (list) =>
+  Array.from({ length: list.length / 3 }, (_, i) => [...list.slice(3 * i, 3 * i + 3)]);
+
+/** One of several points, as a list. */
+export const pointAt = ({ face, bary }, i) => ({
+  face: face.slice(i, i + 1),
+  bary: bary.slice(3 * i, 3 * i + 3),
+});
+
 /** The JSON and the buffer of a glTF with one mesh, moved by `translation`. */
 export function gltf({ positions, indices }, { translation = [0, 0, 0], uri } = {}) {
   const buffer = Buffer.concat([

@@ -11,10 +11,9 @@ import { MeshoptEncoder } from 'meshoptimizer/encoder';
 import bunnyModel from '@pmndrs/assets/models/bunny.glb.js';
 import pmndrsModel from '@pmndrs/assets/models/pmndrs.glb.js';
 import suziModel from '@pmndrs/assets/models/suzi.glb.js';
+import { triples } from './meshes.mjs';
 
 const utf8 = new TextEncoder();
-const triples = (list) =>
-  Array.from({ length: list.length / 3 }, (_, i) => [...list.slice(3 * i, 3 * i + 3)]);
 
 /** Models that Draco has compressed. */
 export function dracoModels() {

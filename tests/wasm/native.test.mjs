@@ -6,7 +6,7 @@
 
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { before, test } from 'node:test';
+import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { load } from 'geodesic-voronoi';
 
@@ -16,12 +16,8 @@ const executable = fileURLToPath(
 /** The meshes are all of a size around 1, and so is every number. */
 const tolerance = 1e-12;
 
-let gvd;
-let native;
-before(async () => {
-  gvd = await load();
-  native = JSON.parse(execFileSync(executable, { maxBuffer: 2 ** 28 }));
-});
+const gvd = await load();
+const native = JSON.parse(execFileSync(executable, { maxBuffer: 2 ** 28 }));
 
 /** Compares arrays, and objects of them; `expected` comes from JSON, where null is infinite. */
 function same(actual, expected, name) {

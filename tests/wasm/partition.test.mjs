@@ -3,7 +3,7 @@
 // Partitions: that they arrive whole and in terms of the input, and that others can read the files.
 
 import assert from 'node:assert/strict';
-import { before, test } from 'node:test';
+import { test } from 'node:test';
 import {
   distancesGlb,
   load,
@@ -19,6 +19,8 @@ import {
 import {
   areaOf,
   assertValidGlb,
+  jsonOf,
+  placedTriangles,
   readObj,
   readPly,
   surfaceOf,
@@ -26,12 +28,9 @@ import {
   total,
   trianglesOf,
 } from './files.mjs';
-import { apart, grid, octahedron, withFlipped } from './meshes.mjs';
+import { apart, grid, octahedron, triples, withFlipped } from './meshes.mjs';
 
-let gvd;
-before(async () => {
-  gvd = await load();
-});
+const gvd = await load();
 
 function near(actual, expected, tolerance = 1e-12) {
   assert.ok(
@@ -90,29 +89,16 @@ const cases = async function* () {
   yield { name: 'out of reach', mesh, diagram, partition: await diagram.partition() };
 };
 
-/** Triangles as positions, from the file's own points. */
-function placed({ points, triangles }) {
-  return Array.from({ length: triangles.label.length }, (_, t) =>
-    [0, 1, 2].map((i) => {
-      const point = triangles.points[3 * t + i];
-      return [...points.position.subarray(3 * point, 3 * point + 3)];
-    }),
-  );
-}
-
 const labelCount = ({ triangles }) => new Set(triangles.label).size;
 
 test('the parts are the surface', async () => {
   for await (const { name, mesh, diagram, partition } of cases()) {
     const { triangles, points, regions } = partition;
-    const corners = Array.from({ length: triangles.label.length }, (_, t) => [
-      ...triangles.points.subarray(3 * t, 3 * t + 3),
-    ]);
-    const surface = surfaceOf(corners);
+    const surface = surfaceOf(triples(triangles.points));
     assert.ok(surface.isOriented, name);
     assert.equal(surface.euler, mesh.info.eulerCharacteristic, name);
     assert.equal(surface.loops, mesh.info.boundaryLoops, name);
-    near(total(placed(partition).map(areaOf)), mesh.info.area);
+    near(total(placedTriangles(partition).map(areaOf)), mesh.info.area);
     regions.area.forEach((area, i) => near(area, diagram.regions[i].area, 1e-9));
     assert.deepEqual(
       [...triangles.label].sort((a, b) => (a < 0) - (b < 0) || a - b),
@@ -168,7 +154,7 @@ test('what is out of reach can be left out', async () => {
   const diagram = await mesh.voronoi({ vertex: [0, 3] });
   const partition = await diagram.partition({ leaveOutUnreachable: true });
   assert.ok(partition.triangles.label.every((label) => label >= 0));
-  near(total(placed(partition).map(areaOf)), mesh.info.area - 1);
+  near(total(placedTriangles(partition).map(areaOf)), mesh.info.area - 1);
 });
 
 test('what several labels tie on can be left out', async () => {
@@ -248,8 +234,7 @@ test('GLB: one mesh with feature ids', async () => {
       areas[id] += areaOf(corners);
     });
     diagram.regions.forEach(({ area }, i) => near(areas[i], 100 * area, 1e-4));
-    const jsonLength = new DataView(bytes.buffer).getUint32(12, true);
-    const json = JSON.parse(new TextDecoder().decode(bytes.subarray(20, 20 + jsonLength)));
+    const json = jsonOf(bytes);
     const [{ featureCount, attribute, nullFeatureId }] =
       json.meshes[0].primitives[0].extensions.EXT_mesh_features.featureIds;
     const isPartUnreached = partition.triangles.label.at(-1) < 0;

@@ -5,18 +5,16 @@
 // sites are neighbours there, and where the Voronoi points are. DGPC comes close.
 
 import assert from 'node:assert/strict';
-import { before, test } from 'node:test';
+import { test } from 'node:test';
 import { Delaunay } from 'd3-delaunay';
 import { load } from 'geodesic-voronoi';
 import { near } from './expectations.mjs';
+import { pointAt } from './meshes.mjs';
 
 /** Of the domain's diagonal, and of its area. */
 const tolerance = 1e-9;
 
-let gvd;
-before(async () => {
-  gvd = await load();
-});
+const gvd = await load();
 
 /** Numbers in [0, 1) that depend on the seed alone (mulberry32). */
 function randomNumbers(seed) {
@@ -265,15 +263,15 @@ const cases = Object.keys(triangulations).flatMap((triangulation, i) =>
 );
 
 /** The diagram of these sites, made at once or of most of them with the rest put in afterwards. */
-async function diagramOf(mesh, { face, bary }, isLive, options) {
+async function diagramOf(mesh, given, isLive, options) {
+  const { face, bary } = given;
   if (!isLive) return mesh.voronoi({ face, bary }, options);
   const first = Math.max(Math.ceil(face.length / 2), face.length - 10);
   const diagram = await mesh.voronoi(
     { face: face.slice(0, first), bary: bary.slice(0, 3 * first) },
     options,
   );
-  for (let i = first; i < face.length; ++i)
-    await diagram.insertSite({ face: [face[i]], bary: bary.slice(3 * i, 3 * i + 3) });
+  for (let i = first; i < face.length; ++i) await diagram.insertSite(pointAt(given, i));
   return diagram;
 }
 

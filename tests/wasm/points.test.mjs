@@ -3,17 +3,13 @@
 // Points as callers and files give them.
 
 import assert from 'node:assert/strict';
-import { before, test } from 'node:test';
+import { test } from 'node:test';
 import { diagramJson, load, pointsJson } from 'geodesic-voronoi';
 import { grid, octahedron } from './meshes.mjs';
 import { fails } from './expectations.mjs';
 
-let gvd;
-let mesh;
-before(async () => {
-  gvd = await load();
-  mesh = await gvd.mesh(octahedron());
-});
+const gvd = await load();
+const mesh = await gvd.mesh(octahedron());
 
 const plain = ({ face, bary }) => ({ face: [...face], bary: [...bary] });
 

@@ -4,38 +4,28 @@
 // repair makes a valid dual.
 
 import assert from 'node:assert/strict';
-import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { before, test } from 'node:test';
+import { test } from 'node:test';
 import { load, partitionGlb } from 'geodesic-voronoi';
 import { makeSamples } from '../../web/page/samples/samples.mjs';
-import { areaOf, assertValidGlb, surfaceOf, total } from './files.mjs';
+import { areaOf, assertValidGlb, listsOf, placedTriangles, surfaceOf, total } from './files.mjs';
+import { triples } from './meshes.mjs';
+import { temporaryFolder } from './temporary_folder.mjs';
 
 const siteCount = 30;
 
 /** The meshes by their files' names. */
 const samples = new Map();
-before(async () => {
-  const gvd = await load();
-  const folder = mkdtempSync(join(tmpdir(), 'geodesic-voronoi-'));
-  makeSamples(folder);
-  for (const file of readdirSync(folder))
-    samples.set(file, await gvd.mesh(readFileSync(join(folder, file))));
-  rmSync(folder, { recursive: true });
-});
+const gvd = await load();
+const folder = temporaryFolder();
+makeSamples(folder);
+for (const file of readdirSync(folder))
+  samples.set(file, await gvd.mesh(readFileSync(join(folder, file))));
 
 function assertNear(actual, expected, what) {
   assert.ok(Math.abs(actual / expected - 1) < 1e-12, `${what}: ${actual} is not ${expected}`);
 }
-
-/** Each triangle's corners, by the numbers of their points. */
-const cornersOf = ({ triangles: { label, points } }) =>
-  Array.from(label, (_, t) => [...points.subarray(3 * t, 3 * t + 3)]);
-
-/** The same, in space. */
-const placed = ({ points: { position } }, corners) =>
-  corners.map((list) => list.map((point) => [...position.subarray(3 * point, 3 * point + 3)]));
 
 /** The share of its input triangle that a triangle has, negative if it is turned over. */
 function shareOf({ triangles: { bary } }, t) {
@@ -58,7 +48,7 @@ for (const metric of ['dgpc', 'exact']) {
       const diagram = await mesh.voronoi(await mesh.sampleSites(siteCount), { metric });
       const partition = await diagram.partition();
       const { triangles, regions } = partition;
-      const corners = cornersOf(partition);
+      const corners = triples(triangles.points);
 
       // Regions share their points: what is left open is the boundary of the model.
       const surface = surfaceOf(corners);
@@ -79,7 +69,7 @@ for (const metric of ['dgpc', 'exact']) {
 
       assert.equal(regions.area.length, siteCount);
       assertNear(total([...regions.area]), area, `${file}, regions`);
-      assertNear(total(placed(partition, corners).map(areaOf)), area, `${file}, triangles`);
+      assertNear(total(placedTriangles(partition).map(areaOf)), area, `${file}, triangles`);
     }
   });
 }
@@ -96,10 +86,7 @@ test('from 30 sites, repair makes a valid dual of every sample model', async () 
       [components, boundaryLoops, genus, eulerCharacteristic],
       file,
     );
-    const polygons = Array.from({ length: faces.offset.length - 1 }, (_, i) => [
-      ...faces.points.subarray(faces.offset[i], faces.offset[i + 1]),
-    ]);
-    const surface = surfaceOf(polygons);
+    const surface = surfaceOf(listsOf(faces));
     assert.ok(surface.isOriented, file);
     assert.equal(surface.euler, eulerCharacteristic, file);
     assert.equal(surface.loops, boundaryLoops, file);

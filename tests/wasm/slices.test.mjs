@@ -4,18 +4,13 @@
 // up. What comes of it is the same.
 
 import assert from 'node:assert/strict';
-import { afterEach, before, test } from 'node:test';
+import { afterEach, test } from 'node:test';
 import { load } from 'geodesic-voronoi';
 import { bumpySphere, glb } from './meshes.mjs';
 
-let gvd;
-let mesh;
-let diagram;
-before(async () => {
-  gvd = await load();
-  mesh = await gvd.mesh(bumpySphere(40, 60));
-  diagram = await mesh.voronoi(await mesh.sampleSites(20));
-});
+const gvd = await load();
+const mesh = await gvd.mesh(bumpySphere(40, 60));
+const diagram = await mesh.voronoi(await mesh.sampleSites(20));
 
 /** What is told of a mesh: objects of two meshes differ. */
 const opened = async (source, options) => {
