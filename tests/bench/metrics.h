@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <limits>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -22,10 +21,7 @@ inline constexpr std::array<NamedMetric, 2> kMetrics = {
 inline std::unique_ptr<DistanceField> distances(const TriangleMesh& mesh,
                                                 std::span<const SurfacePoint> sites,
                                                 Metric metric) {
-  const auto propagation = propagate(mesh, sites, metric);
-  while (!propagation->step(std::numeric_limits<long>::max())) {
-  }
-  return propagation->take();
+  return finished(propagate(mesh, sites, metric));
 }
 
 }  // namespace gvd::bench

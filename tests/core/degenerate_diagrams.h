@@ -18,6 +18,7 @@
 namespace gvd {
 
 using checks::isConsistent;
+using shapes::centroid;
 using Sites = std::vector<SurfacePoint>;
 using Labels = std::vector<int>;
 
@@ -25,8 +26,6 @@ inline constexpr double kPi = std::numbers::pi;
 
 /// Twelve equilateral triangles around vertex 0; face i covers the angles 60°·i to 60°·(i+1).
 inline shapes::Shape doubleTurn() { return shapes::vertexFan(12, 4 * kPi); }
-
-inline SurfacePoint centroid(int face) { return {face, Eigen::Vector3d::Constant(1.0 / 3)}; }
 
 /// The point (x, y) of a mesh in the plane z = 0.
 inline SurfacePoint inPlane(const TriangleMesh& mesh, double x, double y) {

@@ -33,10 +33,7 @@ constexpr int kMostFaces = 12'000;
 /// The distance of every vertex from the nearest site.
 std::vector<double> vertexDistances(const TriangleMesh& mesh,
                                     const std::vector<SurfacePoint>& sites, Metric metric) {
-  const auto propagation = propagate(mesh, sites, metric);
-  while (!propagation->step(std::numeric_limits<long>::max())) {
-  }
-  const auto field = propagation->take();
+  const auto field = finished(propagate(mesh, sites, metric));
   std::vector<double> result;
   for (int v = 0; v < mesh.vertexCount(); ++v)
     result.push_back(field->nearest(pointAtVertex(mesh, v)).distance);

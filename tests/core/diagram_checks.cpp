@@ -283,10 +283,7 @@ AssertionResult checkExactDistances(const TriangleMesh& mesh, const DistanceFiel
 
 Traced trace(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,
              int detail) {
-  const auto propagation = propagate(mesh, sites, metric);
-  while (!propagation->step(1000)) {
-  }
-  Traced traced{propagation->take(), {}};
+  Traced traced{finished(propagate(mesh, sites, metric)), {}};
   traced.diagram = traceDiagram(mesh, *traced.field, static_cast<int>(sites.size()), {detail});
   return traced;
 }

@@ -26,6 +26,22 @@ Traced trace(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
 Traced traceByBruteForce(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
                          Metric metric = Metric::kExact);
 
+/// Distances of a class that is not the library's, which knows none.
+class NoDistances : public DistanceField {
+ public:
+  std::span<const LabelledDistance> at(int /*vertex*/) const override { return {}; }
+  LabelledDistance nearest(const SurfacePoint& /*p*/) const override { return {}; }
+  double distance(int /*label*/, const SurfacePoint& /*p*/) const override { return kInfinity; }
+  std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
+      std::vector<LabelledPoint> /*points*/) const override {
+    return nullptr;
+  }
+  Eigen::Vector2d direction(int /*label*/, int /*vertex*/) const override { return {1, 0}; }
+  std::vector<SurfacePoint> path(int /*label*/, const SurfacePoint& /*p*/) const override {
+    return {};
+  }
+};
+
 /// Success if
 ///  - the areas of the regions sum to the area of the components with sites (1e-12 relative);
 ///  - every segment is used exactly twice by loops: forwards by its lower label, backwards by its

@@ -50,7 +50,7 @@ std::string complaintAfterChanges(const TriangleMesh& mesh, std::span<const Surf
                                   Metric metric) {
   DynamicDiagram dynamic(mesh, sites, metric);
   const int count = static_cast<int>(sites.size());
-  dynamic.moveSite(0, {mesh.faceCount() / 2, Eigen::Vector3d::Constant(1.0 / 3)});
+  dynamic.moveSite(0, shapes::centroid(mesh.faceCount() / 2));
   if (count > 2) dynamic.removeSite(count / 2);
   dynamic.insertSite(sites[count - 1]);
   const auto result = checks::isConsistent(mesh, dynamic.diagram());

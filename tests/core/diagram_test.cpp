@@ -16,6 +16,7 @@
 #include "base/random.h"
 #include "diagram/near_labels.h"
 #include "diagram_checks.h"
+#include "equality.h"
 #include "gvd/error.h"
 #include "gvd/sampling.h"
 #include "mechanical_shapes.h"
@@ -31,6 +32,7 @@ using checks::identity;
 using checks::isConsistent;
 using checks::trace;
 using checks::traceByBruteForce;
+using shapes::centroid;
 using shapes::randomMesh;
 using shapes::randomSiteCount;
 
@@ -204,8 +206,6 @@ TEST_P(FlatMeshes, GiveNearlyTheApproximateDiagramOfBruteForce) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, FlatMeshes, ::testing::Range(0, 64));
 
-SurfacePoint centroid(int face) { return {face, Eigen::Vector3d::Constant(1.0 / 3)}; }
-
 TEST(Diagram, OfOneSiteOnAClosedSurfaceHasNoLoop) {
   const auto mesh = shapes::icosphere(1).mesh();
   const std::vector<SurfacePoint> sites = {centroid(0)};
@@ -370,30 +370,6 @@ TEST(Diagram, DividesTwoFacesAmongThousandsOfSites) {
   }
 }
 
-/// Whether every number of two diagrams is the same.
-bool areIdentical(const Diagram& a, const Diagram& b) {
-  const auto isSamePoint = [](const SurfacePoint& p, const SurfacePoint& q) {
-    return p.face == q.face && p.bary == q.bary;
-  };
-  const auto isSameSegment = [](const Diagram::Segment& s, const Diagram::Segment& t) {
-    return s.points == t.points && s.labels == t.labels && s.face == t.face && s.arc == t.arc;
-  };
-  const auto isSameMeeting = [](const Diagram::VoronoiPoint& v, const Diagram::VoronoiPoint& w) {
-    return v.point == w.point && v.labels == w.labels;
-  };
-  const auto areSameLists = [](const PointLists& l, const PointLists& m) {
-    return l.offset == m.offset && l.points == m.points;
-  };
-  return std::ranges::equal(a.points, b.points, isSamePoint) &&
-         std::ranges::equal(a.segments, b.segments, isSameSegment) &&
-         std::ranges::equal(a.voronoiPoints, b.voronoiPoints, isSameMeeting) &&
-         areSameLists(a.arcs, b.arcs) && a.arcLabels == b.arcLabels &&
-         areSameLists(a.loops, b.loops) && a.loopLabel == b.loopLabel &&
-         a.regionArea == b.regionArea && a.faceLabel == b.faceLabel &&
-         a.indifferentFaces == b.indifferentFaces && areSameLists(a.cells, b.cells) &&
-         a.cellFace == b.cellFace && a.cellLabel == b.cellLabel && a.siteCount == b.siteCount;
-}
-
 TEST(Diagram, IsTheSameInSlices) {
   for (int seed = 0; seed < 60; ++seed) {
     const RandomCase c = randomCase(seed);
@@ -406,8 +382,7 @@ TEST(Diagram, IsTheSameInSlices) {
         const auto tracing = startDiagram(mesh, *traced.field, count, {.detail = detail});
         while (!tracing->step(budget)) {
         }
-        EXPECT_TRUE(areIdentical(tracing->take(),
-                                 traceDiagram(mesh, *traced.field, count, {.detail = detail})))
+        EXPECT_TRUE(tracing->take() == traceDiagram(mesh, *traced.field, count, {.detail = detail}))
             << "seed " << seed << ", detail " << detail << ", budget " << budget;
       }
   }
@@ -496,10 +471,7 @@ double meanErrorOfSegments(const TriangleMesh& mesh, const checks::Traced& trace
 }
 
 TEST(Diagram, InDetailIsFineOnLongThinFacesToo) {
-  const auto parts = shapes::mechanicalShapes();
-  const auto plate =
-      std::ranges::find(parts, "plate with nine round holes", &shapes::MechanicalShape::name);
-  const auto mesh = plate->shape.mesh();
+  const auto mesh = shapes::mechanicalShape("plate with nine round holes").mesh();
   const auto sites = sampleUniform(mesh, 12, 3);
   const double coarse = meanErrorOfSegments(mesh, trace(mesh, sites));
   const double fine = meanErrorOfSegments(mesh, trace(mesh, sites, Metric::kExact, 2));
@@ -560,7 +532,7 @@ TEST(Diagram, RefusesUnboundedDetailAndSitesThatAreNotCounted) {
 
 /// A label known at the one corner where it is nearest, beside others that are known at all.
 TEST(Diagram, RefusesAFieldThatLacksNearestLabels) {
-  class Lacking final : public DistanceField {
+  class Lacking final : public checks::NoDistances {
    public:
     explicit Lacking(int others) {
       for (int v = 0; v < 3; ++v) {
@@ -569,14 +541,6 @@ TEST(Diagram, RefusesAFieldThatLacksNearestLabels) {
       }
     }
     std::span<const LabelledDistance> at(int v) const override { return known_[v]; }
-    LabelledDistance nearest(const SurfacePoint&) const override { return {}; }
-    double distance(int, const SurfacePoint&) const override { return kInfinity; }
-    std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
-        std::vector<LabelledPoint>) const override {
-      return nullptr;
-    }
-    Eigen::Vector2d direction(int, int) const override { return {1, 0}; }
-    std::vector<SurfacePoint> path(int, const SurfacePoint&) const override { return {}; }
 
    private:
     std::array<std::vector<LabelledDistance>, 3> known_;

@@ -8,7 +8,6 @@
 #include <limits>
 #include <memory>
 #include <numbers>
-#include <random>
 #include <sstream>
 #include <vector>
 
@@ -125,16 +124,16 @@ class RandomEdits {
   RandomEdits(const TriangleMesh& mesh, std::uint64_t seed) : mesh_(mesh), random_(seed) {}
 
   SurfacePoint point() {
-    const int face = below(mesh_.faceCount());
-    switch (below(6)) {
+    const int face = random_.below(mesh_.faceCount());
+    switch (random_.below(6)) {
       case 0:
-        return {face, Eigen::Vector3d::Unit(below(3))};
+        return {face, Eigen::Vector3d::Unit(random_.below(3))};
       case 1: {
-        const double t = share();
+        const double t = random_.uniform();
         return {face, {t, 1 - t, 0}};
       }
       default: {
-        const double a = std::sqrt(share()), b = share();
+        const double a = std::sqrt(random_.uniform()), b = random_.uniform();
         return {face, {1 - a, a * (1 - b), a * b}};
       }
     }
@@ -150,27 +149,19 @@ class RandomEdits {
   void edit(DynamicDiagram& dynamic, int usual) {
     const Present present = presentOf(dynamic);
     const int count = static_cast<int>(present.labels.size());
-    const int kind = below(4);
+    const int kind = random_.below(4);
     if (count == 0 || (kind == 0 && count < 2 * usual))
-      finished(dynamic.startInsert(points(1 + below(3))));
+      finished(dynamic.startInsert(points(1 + random_.below(3))));
     else if (kind == 1)
-      dynamic.removeSite(present.labels[below(count)]);
+      dynamic.removeSite(present.labels[random_.below(count)]);
     else
-      dynamic.moveSite(present.labels[below(count)], point());
+      dynamic.moveSite(present.labels[random_.below(count)], point());
   }
 
  private:
-  int below(int n) { return static_cast<int>(random_() % static_cast<std::uint64_t>(n)); }
-  double share() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
-
   const TriangleMesh& mesh_;
-  std::mt19937_64 random_;
+  shapes::Random random_;
 };
-
-shapes::Shape partNamed(const std::string& name) {
-  const auto parts = shapes::mechanicalShapes();
-  return std::ranges::find(parts, name, &shapes::MechanicalShape::name)->shape;
-}
 
 struct EditCase {
   const char* name;
@@ -211,33 +202,33 @@ TEST_P(EditSequences, EndInTheApproximateDiagramOfTheSites) {
 
 INSTANTIATE_TEST_SUITE_P(
     Shapes, EditSequences,
-    ::testing::Values(EditCase{"grid", shapes::grid(12, 9, 0.4, 1), 8, 40, 0},
-                      EditCase{"gridCrowded", shapes::grid(6, 5, 0.4, 1), 60, 60, 0},
-                      EditCase{"gridFew", shapes::grid(12, 9, 0.4, 1), 1, 40, 0},
-                      EditCase{"bumpySphere", shapes::bumpySurface(0, 6, 0.3, 2), 12, 40, 0},
-                      EditCase{"bumpyTorus", shapes::bumpySurface(1, 6, 0.3, 3), 12, 40, 0},
-                      EditCase{"bumpyGenus3Crowded", shapes::bumpySurface(3, 4, 0.5, 4), 200, 60,
-                               0},
-                      EditCase{"annulus", shapes::annulus(12, 4), 6, 40, 0},
-                      // Most labels own no vertex of it, only parts of edges.
-                      EditCase{"tubeOfLongFaces", shapes::cylinder(80, 1, 1, 1), 30, 40, 0},
-                      EditCase{"plate", shapes::perforatedPlate(2, 2), 9, 40, 0},
-                      EditCase{"skinny", shapes::randomTriangulation(80, 400, 7), 10, 40, 0},
-                      EditCase{"graded", shapes::gradedDisk(6, 9, 2.0), 8, 40, 0},
-                      EditCase{"components",
-                               shapes::joined(shapes::icosphere(1),
-                                              shapes::moved(shapes::grid(4, 4, 0.3, 5), {5, 0, 0})),
-                               5, 40, 0},
-                      // On each side of a plane of symmetry, as much is known, and in any order.
-                      EditCase{"icosphere", shapes::icosphere(3), 12, 40, 0},
-                      // Where paths of two labels bend at one vertex, they tie ever after.
-                      EditCase{"needles", shapes::torus(60, 6), 8, 40, 0},
-                      EditCase{"moebius", shapes::moebiusStrip(14, 3), 7, 40, 0},
-                      EditCase{"bumpyTorusDetail", shapes::bumpySurface(1, 5, 0.3, 3), 9, 25, 2},
-                      EditCase{"gridDetail", shapes::grid(8, 6, 0.4, 1), 6, 25, 1},
-                      // Its long faces have sides where labels are added, which may own something
-                      // beyond the faces that an edit has changed.
-                      EditCase{"partDetail", partNamed("plate with nine round holes"), 40, 25, 1}),
+    ::testing::Values(
+        EditCase{"grid", shapes::grid(12, 9, 0.4, 1), 8, 40, 0},
+        EditCase{"gridCrowded", shapes::grid(6, 5, 0.4, 1), 60, 60, 0},
+        EditCase{"gridFew", shapes::grid(12, 9, 0.4, 1), 1, 40, 0},
+        EditCase{"bumpySphere", shapes::bumpySurface(0, 6, 0.3, 2), 12, 40, 0},
+        EditCase{"bumpyTorus", shapes::bumpySurface(1, 6, 0.3, 3), 12, 40, 0},
+        EditCase{"bumpyGenus3Crowded", shapes::bumpySurface(3, 4, 0.5, 4), 200, 60, 0},
+        EditCase{"annulus", shapes::annulus(12, 4), 6, 40, 0},
+        // Most labels own no vertex of it, only parts of edges.
+        EditCase{"tubeOfLongFaces", shapes::cylinder(80, 1, 1, 1), 30, 40, 0},
+        EditCase{"plate", shapes::perforatedPlate(2, 2), 9, 40, 0},
+        EditCase{"skinny", shapes::randomTriangulation(80, 400, 7), 10, 40, 0},
+        EditCase{"graded", shapes::gradedDisk(6, 9, 2.0), 8, 40, 0},
+        EditCase{"components",
+                 shapes::joined(shapes::icosphere(1),
+                                shapes::moved(shapes::grid(4, 4, 0.3, 5), {5, 0, 0})),
+                 5, 40, 0},
+        // On each side of a plane of symmetry, as much is known, and in any order.
+        EditCase{"icosphere", shapes::icosphere(3), 12, 40, 0},
+        // Where paths of two labels bend at one vertex, they tie ever after.
+        EditCase{"needles", shapes::torus(60, 6), 8, 40, 0},
+        EditCase{"moebius", shapes::moebiusStrip(14, 3), 7, 40, 0},
+        EditCase{"bumpyTorusDetail", shapes::bumpySurface(1, 5, 0.3, 3), 9, 25, 2},
+        EditCase{"gridDetail", shapes::grid(8, 6, 0.4, 1), 6, 25, 1},
+        // Its long faces have sides where labels are added, which may own something
+        // beyond the faces that an edit has changed.
+        EditCase{"partDetail", shapes::mechanicalShape("plate with nine round holes"), 40, 25, 1}),
     [](const auto& info) { return std::string(info.param.name); });
 
 TEST(DynamicDiagram, FollowsTiesFarBehindASaddle) {
@@ -245,9 +236,7 @@ TEST(DynamicDiagram, FollowsTiesFarBehindASaddle) {
   // every site.
   const auto mesh =
       shapes::subdivided(shapes::subdivided(shapes::vertexFan(12, 4 * std::numbers::pi))).mesh();
-  const auto middleOf = [](int face) {
-    return SurfacePoint{16 * face + 15, Eigen::Vector3d::Constant(1.0 / 3)};
-  };
+  const auto middleOf = [](int face) { return shapes::centroid(16 * face + 15); };
   DynamicDiagram dynamic(mesh, std::vector{middleOf(0), middleOf(1)});
   const auto expectTies = [&](int least, int most) {
     const int count = static_cast<int>(dynamic.diagram().indifferentFaces.size());
@@ -261,7 +250,7 @@ TEST(DynamicDiagram, FollowsTiesFarBehindASaddle) {
   expectTies(8, 32);
   dynamic.removeSite(0);
   expectTies(64, 96);
-  dynamic.moveSite(1, {7, Eigen::Vector3d::Constant(1.0 / 3)});
+  dynamic.moveSite(1, shapes::centroid(7));
   expectTies(0, 0);
   dynamic.moveSite(1, middleOf(3));
   expectTies(64, 96);
@@ -445,10 +434,7 @@ TEST(DynamicDiagram, TakesOverDistances) {
   const auto mesh = shapes::bumpySurface(1, 5, 0.3, 3).mesh();
   for (const Metric metric : {Metric::kExact, Metric::kDgpc}) {
     const auto sites = sampleUniform(mesh, 20, 3);
-    const auto propagation = propagate(mesh, sites, metric);
-    while (!propagation->step(100)) {
-    }
-    auto dynamic = DynamicDiagram::fromDistances(mesh, propagation->take());
+    auto dynamic = DynamicDiagram::fromDistances(mesh, finished(propagate(mesh, sites, metric)));
     EXPECT_EQ(dynamic.labelCount(), 20);
     EXPECT_TRUE(isUpToDate(mesh, dynamic, metric));
     dynamic.removeSite(7);
@@ -458,17 +444,7 @@ TEST(DynamicDiagram, TakesOverDistances) {
 }
 
 TEST(DynamicDiagram, RefusesForeignDistances) {
-  class Foreign final : public DistanceField {
-    std::span<const LabelledDistance> at(int) const override { return {}; }
-    LabelledDistance nearest(const SurfacePoint&) const override { return {}; }
-    double distance(int, const SurfacePoint&) const override { return 0; }
-    std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
-        std::vector<LabelledPoint>) const override {
-      return nullptr;
-    }
-    Eigen::Vector2d direction(int, int) const override { return {1, 0}; }
-    std::vector<SurfacePoint> path(int, const SurfacePoint&) const override { return {}; }
-  };
+  using Foreign = checks::NoDistances;
   const auto mesh = shapes::bumpySurface(1, 5, 0.3, 3).mesh();
   EXPECT_THROW(DynamicDiagram::fromDistances(mesh, std::make_unique<Foreign>()), Error);
   EXPECT_THROW(DynamicDiagram::fromDistances(mesh, nullptr), Error);

@@ -92,14 +92,13 @@ TEST(Windows, GoAroundASpikeOnce) {
   constexpr int kFaces = 5;
   constexpr double kAngle = 1e-6;
   const TriangleMesh mesh = shapes::vertexFan(kFaces, kAngle).mesh();
-  const auto centroid = [](int f) { return SurfacePoint{f, Eigen::Vector3d::Constant(1.0 / 3)}; };
-  const auto propagation = propagate(mesh, std::vector{centroid(0)}, Metric::kExact);
+  const auto propagation = propagate(mesh, std::vector{shapes::centroid(0)}, Metric::kExact);
   long halfedges = 1;
   while (!propagation->step(1)) ++halfedges;
   EXPECT_LT(halfedges, 1000);
 
   std::vector<LabelledPoint> points;
-  for (int f = 0; f < kFaces; ++f) points.push_back({0, centroid(f)});
+  for (int f = 0; f < kFaces; ++f) points.push_back({0, shapes::centroid(f)});
   const auto field = propagation->take();
   const auto distances = field->distancesAt(points);
   for (int f = 0; f < kFaces; ++f) {
@@ -180,8 +179,6 @@ TEST(Windows, KeepWhatIsFinalWhenAVertexWasMissed) {
   for (int v = 0; v < mesh.vertexCount(); ++v) EXPECT_FALSE(field->at(v).empty()) << v;
 }
 
-/// On edges, where a label is known at both ends, whichever label is nearer in between; and inside
-/// faces.
 /// In a long tetrahedron, the way through the middle of an edge to the corner beyond is shorter
 /// than to both ends of the edge, and so is another one that comes before it, round the back.
 TEST(Dgpc, ReachesACornerThatIsNearerThanBothEndsOfTheSideBefore) {
@@ -245,6 +242,8 @@ TEST(Dgpc, NeighboursDoNotLowerTheirDistancesByTurns) {
   EXPECT_TRUE(propagation->step(1000));
 }
 
+/// On edges, where a label is known at both ends, whichever label is nearer in between; and inside
+/// faces.
 TEST(Distances, AtPointsAreThoseOfBruteForce) {
   for (int seed = 0; seed < 100; ++seed) {
     const TriangleMesh mesh = shapes::randomMesh(seed);

@@ -4,6 +4,27 @@
 namespace gvd {
 
 const std::vector<float> kTriangle = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+const std::vector<float> kZigzag = {0, 1, 0, 0, 0, 0, 1, 1, 0, 1, 0, 0, 2, 1, 0, 2, 0, 0};
+
+std::vector<std::pair<std::string, std::string>> dataUris(const ByteVector& buffer) {
+  const std::string content = base64(buffer);
+  const std::string withoutPadding = content.substr(0, content.find('='));
+  std::string percentEncoded, allEncoded;
+  for (char c : content) percentEncoded += c == '=' ? std::string("%3d") : std::string(1, c);
+  constexpr char kHex[] = "0123456789ABCDEF";
+  for (std::byte b : buffer) {
+    const int value = std::to_integer<int>(b);
+    allEncoded += std::string("%") + kHex[value / 16] + kHex[value % 16];
+  }
+  return {{"short", "data:;base64," + content},
+          {"with a media type", "data:application/gltf-buffer;base64," + content},
+          {"with a character set", "data:text/plain;charset=utf-8;base64," + content},
+          {"in capitals", "DATA:;base64," + content},
+          {"percent-encoded", "data:;base64," + percentEncoded},
+          {"without padding", "data:;base64," + withoutPadding},
+          {"with spaces", "data:;base64," + content.substr(0, 7) + " \\n" + content.substr(7)},
+          {"not base64", "data:," + allEncoded}};
+}
 
 GlbWriter triangleFile() {
   GlbWriter file;

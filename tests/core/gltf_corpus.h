@@ -47,6 +47,11 @@ class GltfCases {
 /// The valid file, and its positions.
 GlbWriter triangleFile();
 extern const std::vector<float> kTriangle;
+/// Corners of a zigzag strip: 0 2 4 above, 1 3 5 below.
+extern const std::vector<float> kZigzag;
+
+/// Every way of writing a buffer as a data URI, by name.
+std::vector<std::pair<std::string, std::string>> dataUris(const ByteVector& buffer);
 
 /// Changes of the valid file: the primitives of its mesh, the members of its node or its accessor.
 GltfCases::Change primitives(const std::string& list);

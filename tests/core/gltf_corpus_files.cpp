@@ -277,27 +277,8 @@ void addExtensionCases(GltfCases& cases) {
 
 void addUriCases(GltfCases& cases) {
   const GlbWriter file = triangleFile();
-  const std::string content = base64(file.bin);
-  const std::string withoutPadding = content.substr(0, content.find('='));
-  std::string percentEncoded, allEncoded;
-  for (char c : content) percentEncoded += c == '=' ? std::string("%3d") : std::string(1, c);
-  constexpr char kHex[] = "0123456789ABCDEF";
-  for (std::byte b : file.bin) {
-    const int value = std::to_integer<int>(b);
-    allEncoded += std::string("%") + kHex[value / 16] + kHex[value % 16];
-  }
-  const std::pair<const char*, std::string> dataUris[] = {
-      {"short", "data:;base64," + content},
-      {"with a media type", "data:application/gltf-buffer;base64," + content},
-      {"with a character set", "data:text/plain;charset=utf-8;base64," + content},
-      {"in capitals", "DATA:;base64," + content},
-      {"percent-encoded", "data:;base64," + percentEncoded},
-      {"without padding", "data:;base64," + withoutPadding},
-      {"with spaces", "data:;base64," + content.substr(0, 7) + " \\n" + content.substr(7)},
-      {"not base64", "data:," + allEncoded}};
-  for (const auto& [name, uri] : dataUris) {
-    cases.opens("data URI, " + std::string(name), 1, bytesOf(file.json(uri)));
-  }
+  for (const auto& [name, uri] : dataUris(file.bin))
+    cases.opens("data URI, " + name, 1, bytesOf(file.json(uri)));
   const std::pair<const char*, const char*> badDataUris[] = {
       {"data:;base64", "buffer 0 has a data URI without content"},
       {"data:", "buffer 0 has a data URI without content"},

@@ -7,8 +7,6 @@
 namespace gvd {
 namespace {
 
-const std::vector<float> kZigzag = {0, 1, 0, 0, 0, 0, 1, 1, 0, 1, 0, 0, 2, 1, 0, 2, 0, 0};
-
 /// A place in a glTF where a whole number has to be.
 struct NumberPlace {
   const char* path;

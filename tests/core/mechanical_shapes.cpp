@@ -314,4 +314,9 @@ std::vector<MechanicalShape> mechanicalShapes() {
   };
 }
 
+Shape mechanicalShape(std::string_view name) {
+  const auto all = mechanicalShapes();
+  return std::ranges::find(all, name, &MechanicalShape::name)->shape;
+}
+
 }  // namespace gvd::shapes

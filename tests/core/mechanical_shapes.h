@@ -7,6 +7,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "shapes.h"
@@ -34,5 +35,7 @@ struct MechanicalShape {
 /// Closed shapes of one component: plates with holes, a block with holes, an L, sponges, stairs, a
 /// comb, a spiral, a gear and a thin plate.
 std::vector<MechanicalShape> mechanicalShapes();
+/// One of them by its name.
+Shape mechanicalShape(std::string_view name);
 
 }  // namespace gvd::shapes

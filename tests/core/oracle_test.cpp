@@ -92,10 +92,7 @@ class RandomMeshes : public ::testing::TestWithParam<int> {
       expected_.push_back(oracle.distances(site, points_));
       expectedAtVertices_.push_back(oracle.distances(site, vertices));
     }
-    const auto propagation = propagate(mesh_, sites_, Metric::kExact);
-    while (!propagation->step(1000)) {
-    }
-    field_ = propagation->take();
+    field_ = finished(propagate(mesh_, sites_, Metric::kExact));
   }
 
   double expected(int label, int point) const { return expected_[label][point]; }

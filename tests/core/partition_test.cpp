@@ -21,6 +21,7 @@ using checks::hasItsTwins;
 using checks::trace;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
+using shapes::centroid;
 
 constexpr double kPi = 3.141592653589793;
 
@@ -29,8 +30,6 @@ constexpr double kPi = 3.141592653589793;
   const auto result = checks::isSound(mesh, p);
   return result ? checks::agreesWithDiagram(mesh, d, p) : result;
 }
-
-SurfacePoint centroid(int face) { return {face, Vector3d::Constant(1.0 / 3)}; }
 
 class PartitionOfRandomMeshes : public ::testing::TestWithParam<int> {};
 

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "equality.h"
 #include "gvd/error.h"
 #include "gvd/geodesic.h"
 #include "gvd/sampling.h"
@@ -29,10 +30,7 @@ using Path = std::vector<SurfacePoint>;
 
 std::unique_ptr<DistanceField> fieldOf(const TriangleMesh& mesh,
                                        const std::vector<SurfacePoint>& sites, Metric metric) {
-  const auto propagation = propagate(mesh, sites, metric);
-  while (!propagation->step(std::numeric_limits<long>::max())) {
-  }
-  return propagation->take();
+  return finished(propagate(mesh, sites, metric));
 }
 
 /// The vertices and random points, in faces and on edges.
@@ -60,18 +58,14 @@ std::vector<SurfacePoint> sitesOf(const TriangleMesh& mesh, int count, int seed)
   return sites;
 }
 
-bool isSame(const SurfacePoint& a, const SurfacePoint& b) {
-  return a.face == b.face && a.bary == b.bary;
-}
-
 /// Whether a path begins and ends where it should, all between are crossings or vertices, and none
 /// is met twice in succession. That points in succession share a face shows in a finite length.
 void expectPolyline(const TriangleMesh& mesh, const Path& path, const SurfacePoint& from,
                     const SurfacePoint& site) {
   ASSERT_FALSE(path.empty());
-  EXPECT_TRUE(isSame(path.front(), from));
+  EXPECT_EQ(path.front(), from);
   if (path.size() > 1) {
-    EXPECT_TRUE(isSame(path.back(), site));
+    EXPECT_EQ(path.back(), site);
   }
   EXPECT_LT(lengthOf(mesh, path), kInfinity);
   for (size_t i = 1; i < path.size(); ++i) EXPECT_GT(lengthOf(mesh, {&path[i - 1], 2}), 0);
@@ -330,8 +324,8 @@ TEST_P(PathByBoth, IsStraightInTheSitesFace) {
        {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0.5, 0.5, 0), Eigen::Vector3d(0.1, 0.2, 0.7)}) {
     const Path path = field->path(0, {3, bary});
     ASSERT_EQ(path.size(), 2u);
-    EXPECT_TRUE(isSame(path[0], {3, bary}));
-    EXPECT_TRUE(isSame(path[1], site));
+    EXPECT_EQ(path[0], (SurfacePoint{3, bary}));
+    EXPECT_EQ(path[1], site);
   }
 }
 
@@ -344,7 +338,7 @@ TEST_P(PathByBoth, IsOnePointAtTheSite) {
     const auto field = fieldOf(mesh, {site}, GetParam());
     const Path path = field->path(0, site);
     ASSERT_EQ(path.size(), 1u);
-    EXPECT_TRUE(isSame(path[0], site));
+    EXPECT_EQ(path[0], site);
     for (int h = 0; h < mesh.halfedgeCount(); ++h) {
       SurfacePoint p{TriangleMesh::faceOf(h), Eigen::Vector3d::Zero()};
       const Eigen::Vector3d place = mesh.position(site);
@@ -376,9 +370,7 @@ TEST_P(PathByBoth, TakesPointsWithinRoundingOfAVertexOrEdgeForOnesOnIt) {
       EXPECT_NEAR(nearestOf(one->at(v)).distance, nearestOf(two->at(v)).distance, 1e-14);
     const auto field = fieldOf(mesh, {other}, GetParam());
     EXPECT_EQ(field->nearest(given).distance, field->nearest(meant).distance);
-    const Path a = field->path(0, given), b = field->path(0, meant);
-    ASSERT_EQ(a.size(), b.size());
-    for (size_t i = 0; i < a.size(); ++i) EXPECT_TRUE(isSame(a[i], b[i])) << i;
+    EXPECT_EQ(field->path(0, given), field->path(0, meant));
   }
 }
 

@@ -20,6 +20,7 @@ namespace gvd {
 namespace {
 
 using Eigen::Vector3d;
+using shapes::centroid;
 using shapes::Random;
 using shapes::Shape;
 using Sites = std::vector<SurfacePoint>;
@@ -205,8 +206,6 @@ Shape turnedAndScaled(Shape shape, Random& random) {
 }
 
 // --- Sites ---------------------------------------------------------------------------------------
-
-SurfacePoint centroid(int face) { return {face, Vector3d::Constant(1.0 / 3)}; }
 
 SurfacePoint vertexSite(int h) { return {TriangleMesh::faceOf(h), Vector3d::Unit(h % 3)}; }
 

@@ -12,6 +12,8 @@
 #include <span>
 #include <vector>
 
+#include "diagram_checks.h"
+#include "equality.h"
 #include "error_checks.h"
 #include "gvd/error.h"
 #include "shapes.h"
@@ -21,8 +23,8 @@ namespace {
 
 using checks::errorOf;
 
-bool samePoint(const SurfacePoint& p, const SurfacePoint& q) {
-  return p.face == q.face && p.bary == q.bary;
+std::vector<SurfacePoint> first(const std::vector<SurfacePoint>& points, std::size_t count) {
+  return {points.begin(), points.begin() + static_cast<long>(count)};
 }
 
 /// Whether `hits` of `draws` is within five standard deviations of what the probability promises.
@@ -59,14 +61,14 @@ TEST(SampleUniform, GivesTheSamePointsOnEveryPlatform) {
 
 TEST(SampleUniform, GivesOtherPointsForAnotherSeed) {
   const TriangleMesh mesh = shapes::cube().mesh();
-  EXPECT_FALSE(samePoint(sampleUniform(mesh, 1, 1)[0], sampleUniform(mesh, 1, 2)[0]));
+  EXPECT_NE(sampleUniform(mesh, 1, 1), sampleUniform(mesh, 1, 2));
 }
 
 TEST(SampleUniform, BeginsWithTheSamePointsWhateverTheCount) {
   const TriangleMesh mesh = shapes::torus(8, 6).mesh();
   const std::vector<SurfacePoint> few = sampleUniform(mesh, 10, 7);
   const std::vector<SurfacePoint> many = sampleUniform(mesh, 1000, 7);
-  for (std::size_t i = 0; i < few.size(); ++i) EXPECT_TRUE(samePoint(few[i], many[i])) << i;
+  EXPECT_EQ(few, first(many, few.size()));
 }
 
 TEST(SampleUniform, HitsFacesByTheirArea) {
@@ -136,7 +138,7 @@ TEST(SampleByDensity, BeginsWithTheSamePointsWhateverTheCount) {
   const std::vector<double> density = {0, 1, 2, 3, 4, 5, 6, 7};
   const auto few = sampleByDensity(mesh, density, 10, 7);
   const auto many = sampleByDensity(mesh, density, 100, 7);
-  for (size_t i = 0; i < few.size(); ++i) EXPECT_TRUE(samePoint(few[i], many[i]));
+  EXPECT_EQ(few, first(many, few.size()));
 }
 
 TEST(SampleByDensity, RejectsWhatIsNoDensity) {
@@ -180,7 +182,7 @@ TEST(SampleFarthest, TakesTheFarthestVertexOfThePlane) {
     const auto mesh = shapes::grid(12, 9, 0.2, seed).mesh();
     const auto points = sampleFarthest(mesh, 40, seed);
     ASSERT_EQ(points.size(), 40u);
-    EXPECT_TRUE(samePoint(points[0], sampleUniform(mesh, 1, seed)[0]));
+    EXPECT_EQ(first(points, 1), sampleUniform(mesh, 1, seed));
     for (size_t n = 1; n < points.size(); ++n) {
       const auto before = planeDistances(mesh, {points.begin(), points.begin() + n});
       const double farthest = *std::max_element(before.begin(), before.end());
@@ -281,9 +283,8 @@ TEST(SamplePoissonDisk, GivesAsManyPointsAsAskedFor) {
 TEST(SamplePoissonDisk, DependsOnItsSeedOnly) {
   const auto mesh = shapes::torus(20, 10).mesh();
   const auto a = samplePoissonDisk(mesh, 0.3, 1), b = samplePoissonDisk(mesh, 0.3, 1);
-  ASSERT_EQ(a.points.size(), b.points.size());
-  for (size_t i = 0; i < a.points.size(); ++i) EXPECT_TRUE(samePoint(a.points[i], b.points[i]));
-  EXPECT_FALSE(samePoint(a.points[0], samplePoissonDisk(mesh, 0.3, 2).points[0]));
+  EXPECT_EQ(a.points, b.points);
+  EXPECT_NE(a.points[0], samplePoissonDisk(mesh, 0.3, 2).points[0]);
 }
 
 TEST(SamplePoissonDisk, RejectsWhatCannotBe) {
@@ -295,24 +296,14 @@ TEST(SamplePoissonDisk, RejectsWhatCannotBe) {
 
 // --- The worst region first ----------------------------------------------------------------------
 
-Diagram diagramOf(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
-                  std::unique_ptr<DistanceField>& distances) {
-  const auto propagation = propagate(mesh, sites, Metric::kExact);
-  while (!propagation->step(100000)) {
-  }
-  distances = propagation->take();
-  return traceDiagram(mesh, *distances, static_cast<int>(sites.size()));
-}
-
 TEST(SampleWorstFirst, SplitsTheLargestRegionFarFromItsSite) {
   for (const TriangleMesh& mesh : {shapes::grid(12, 12, 0.2, 1).mesh(),
                                    shapes::torus(20, 10).mesh(), shapes::icosphere(2).mesh()}) {
     const auto points = sampleWorstFirst(mesh, 20, 3, WorstRegion::kSize);
     ASSERT_EQ(points.size(), 20u);
-    EXPECT_TRUE(samePoint(points[0], sampleUniform(mesh, 1, 3)[0]));
+    EXPECT_EQ(first(points, 1), sampleUniform(mesh, 1, 3));
     for (int n = 1; n < 20; ++n) {
-      std::unique_ptr<DistanceField> distances;
-      const Diagram diagram = diagramOf(mesh, std::span(points).first(n), distances);
+      const auto [distances, diagram] = checks::trace(mesh, std::span(points).first(n));
       const LabelledDistance nearest = distances->nearest(points[n]);
       const double largest =
           *std::max_element(diagram.regionArea.begin(), diagram.regionArea.end());
@@ -333,7 +324,7 @@ TEST(SampleWorstFirst, BeginsWithTheSamePointsWhateverTheCount) {
   const TriangleMesh mesh = shapes::torus(12, 8).mesh();
   const auto few = sampleWorstFirst(mesh, 5, 1, WorstRegion::kDistortion);
   const auto many = sampleWorstFirst(mesh, 15, 1, WorstRegion::kDistortion);
-  for (std::size_t i = 0; i < few.size(); ++i) EXPECT_TRUE(samePoint(few[i], many[i])) << i;
+  EXPECT_EQ(few, first(many, few.size()));
   EXPECT_TRUE(sampleWorstFirst(mesh, 0, 1, WorstRegion::kSize).empty());
   EXPECT_THROW(sampleWorstFirst(mesh, -1, 1, WorstRegion::kSize), Error);
 }
@@ -356,8 +347,7 @@ TEST(SampleWorstFirst, ByDistortionIsBySizeWhereAllIsFlat) {
   const TriangleMesh mesh = shapes::grid(9, 9, 0.2, 4).mesh();
   const auto bySize = sampleWorstFirst(mesh, 30, 2, WorstRegion::kSize);
   const auto byDistortion = sampleWorstFirst(mesh, 30, 2, WorstRegion::kDistortion);
-  for (std::size_t i = 0; i < bySize.size(); ++i)
-    EXPECT_TRUE(samePoint(bySize[i], byDistortion[i])) << i;
+  EXPECT_EQ(bySize, byDistortion);
 }
 
 TEST(WorstRegions, FollowADiagramOfWhichSitesComeGoAndMove) {
@@ -382,9 +372,8 @@ TEST(WorstRegions, FollowADiagramOfWhichSitesComeGoAndMove) {
 TEST(WorstRegions, PointIsOnAComponentWithoutASiteFirst) {
   const TriangleMesh mesh =
       shapes::joined(shapes::grid(5, 5), shapes::moved(shapes::triangle(), {5, 0, 0})).mesh();
-  std::unique_ptr<DistanceField> distances;
   const std::vector<SurfacePoint> sites = {{0, {1, 0, 0}}};
-  const Diagram diagram = diagramOf(mesh, sites, distances);
+  const auto [distances, diagram] = checks::trace(mesh, sites);
   EXPECT_EQ(WorstRegions(mesh, *distances, diagram, WorstRegion::kSize).point().face, 50);
 }
 
@@ -411,7 +400,7 @@ TEST(CoverComponents, MakesRoomAmongTheLastPoints) {
   ASSERT_GT(perComponent(mesh, points)[0], 34);
   const auto covered = coverComponents(mesh, points, 2, 40, 1);
   EXPECT_EQ(perComponent(mesh, covered), (std::vector<int>{30, 2, 2, 2, 2, 2}));
-  for (int i = 0; i < 20; ++i) EXPECT_TRUE(samePoint(covered[i], points[i])) << i;
+  EXPECT_EQ(first(covered, 20), first(points, 20));
 }
 
 TEST(CoverComponents, AddsWhereThereIsRoom) {
@@ -427,10 +416,7 @@ TEST(CoverComponents, LeavesPointsThatCoverAll) {
   const TriangleMesh mesh = shapes::torus(8, 6).mesh();
   const auto points = sampleUniform(mesh, 10, 1);
   for (const int least : {0, 1, 10}) {
-    const auto covered = coverComponents(mesh, points, least, 10, 1);
-    ASSERT_EQ(covered.size(), points.size());
-    for (std::size_t i = 0; i < points.size(); ++i)
-      EXPECT_TRUE(samePoint(covered[i], points[i])) << i;
+    EXPECT_EQ(coverComponents(mesh, points, least, 10, 1), points);
   }
 }
 
@@ -440,7 +426,7 @@ TEST(CoverComponents, KeepsLabelsWithoutSite) {
   const auto covered = coverComponents(mesh, points, 1, 6, 1);
   ASSERT_EQ(covered.size(), 8u);
   EXPECT_EQ(covered[0].face, -1);
-  EXPECT_TRUE(samePoint(covered[1], points[1]));
+  EXPECT_EQ(covered[1], points[1]);
   EXPECT_EQ(covered[2].face, -1);
   EXPECT_THROW(coverComponents(mesh, {{mesh.faceCount(), {1, 0, 0}}}, 1, 6, 1), Error);
 }

@@ -101,6 +101,7 @@ Shape vertexFan(int n, double angleSum);
 Shape tetrahedron();  ///< regular, edges 2√2
 Shape octahedron();   ///< vertices at distance 1 on the axes
 Shape cube();         ///< [0,1]³, 12 faces
+inline SurfacePoint centroid(int face) { return {face, Eigen::Vector3d::Constant(1.0 / 3)}; }
 /// The middles of a cube's sides, on the edges that cut them in two faces.
 std::vector<SurfacePoint> middlesOfSides(const TriangleMesh& cube);
 Shape icosphere(int subdivisions);  ///< unit sphere, 20·4ⁿ faces
