@@ -79,17 +79,12 @@ const states = {
   download: click('#download-button'),
   share: click('#share-button'),
   help: click('#help-button'),
-  error: (viewer) =>
-    viewer.after('error', () =>
-      viewer.page.setInputFiles('#files', [
-        { name: 'a.txt', mimeType: '', buffer: Buffer.from('a') },
-      ]),
-    ),
+  error: (viewer) => viewer.after('error', () => viewer.choose({ 'a.txt': 'a' })),
 };
 
 /** Opens as it does for everybody, and waits until the regions are even. */
 async function opened(browser, context) {
-  const viewer = await browser.open({ hash: '', reducedMotion: 'no-preference', ...context });
+  const viewer = await browser.visit({ hash: '', reducedMotion: 'no-preference', ...context });
   await viewer.page.locator('#cvt-state', { hasText: 'Finished' }).waitFor({ state: 'attached' });
   await viewer.settled();
   return viewer;
@@ -132,7 +127,6 @@ async function makePoster(browser) {
     viewport: { width: 480 + 320, height: 480 + 52 },
     hash: '#v=1&sites=60&seed=4',
   });
-  await viewer.settled();
   const address = await viewer.evaluate(async (viewer) => {
     viewer.style.cssText = 'width: 480px; height: 480px; padding: 0';
     await new Promise((resolve) => setTimeout(resolve, 500));

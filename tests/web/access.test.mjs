@@ -5,18 +5,14 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
-import { after, before, suite, test } from 'node:test';
-import { startBrowser } from './browser.mjs';
+import { suite, test } from 'node:test';
+import { browserForTests } from './browser.mjs';
+
+const browser = await browserForTests();
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
 suite('access', () => {
-  let browser;
-  before(async () => {
-    browser = await startBrowser();
-  });
-  after(() => browser.stop());
-
   const violations = (page) =>
     page.evaluate(async () => {
       const { violations } = await window.axe.run();
@@ -31,7 +27,6 @@ suite('access', () => {
   test('axe finds nothing at any size, in light, dark and the system’s colours', async () => {
     const viewer = await browser.open({ viewport: { width: 1280, height: 720 } });
     const { page } = viewer;
-    await viewer.settled();
     await page.evaluate(axe);
     await openEverything(page);
     const colours = [
@@ -57,7 +52,6 @@ suite('access', () => {
     }
     await page.click('#help-button');
     assert.deepEqual(await violations(page), [], 'help');
-    await viewer.close();
   });
 
   test('in a low window no button on the view is covered or cut off', async () => {
@@ -70,7 +64,6 @@ suite('access', () => {
         hasTouch: true,
         isMobile: true,
       });
-      await viewer.settled();
       const covered = await viewer.page.evaluate(() =>
         [...document.querySelectorAll('#toolbar button')]
           .filter((button) => button.checkVisibility())
@@ -89,7 +82,6 @@ suite('access', () => {
   test('on a phone everything to press is 44 pixels high, and a tap reads a region', async () => {
     const viewer = await browser.open({ viewport: { width: 390, height: 640 }, hasTouch: true });
     const { page } = viewer;
-    await viewer.settled();
     await openEverything(page);
     const small = await page.evaluate(() =>
       [...document.querySelectorAll('button, select, input, summary, .chips span, .segments span')]
@@ -104,18 +96,15 @@ suite('access', () => {
     assert.deepEqual(small, []);
     await page.evaluate(() => {
       document.querySelector('#panel').hidden = true;
-      // The view grows with the next frame, and is drawn anew with the one after.
-      return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
     });
+    await viewer.drawn(); // The view grows with the next frame.
     const place = await viewer.freePlace();
     await viewer.after('diagram', () => page.touchscreen.tap(place.x, place.y));
     await page.locator('#readout-text', { hasText: /Region 60 .* · 0 from its site/ }).waitFor();
-    await viewer.close();
   });
 
   test('nothing is cut off, however wide the window', async () => {
     const viewer = await browser.open();
-    await viewer.settled();
     await openEverything(viewer.page);
     await viewer.page.evaluate(() => {
       for (const id of ['density-settings', 'per-component-label', 'repair'])
@@ -142,13 +131,11 @@ suite('access', () => {
       const samples = await viewer.page.locator('#samples').boundingBox();
       assert.ok(samples.width >= 80, `${samples.width} pixels for the model's name at ${width}`);
     }
-    await viewer.close();
   });
 
   test('text of twice the size is not cut off in the curve and the menus', async () => {
     const viewer = await browser.open({ viewport: { width: 390, height: 844 } });
     const { page } = viewer;
-    await viewer.settled();
     await page.evaluate(() => {
       document.documentElement.style.fontSize = '32px';
       document.querySelector('#panel').hidden = false;
@@ -169,12 +156,10 @@ suite('access', () => {
     assert.deepEqual(await cutOff('text', '#cvt-curve'), []);
     await page.evaluate(() => document.querySelector('#download').showPopover());
     assert.deepEqual(await cutOff('button', '#download'), []);
-    await viewer.close();
   });
 
   test('in a low window the controls are beside the view, unless it is narrow, too', async () => {
     const viewer = await browser.open({ viewport: { width: 740, height: 360 } });
-    await viewer.settled();
     const panel = viewer.page.locator('#panel');
     const view = viewer.page.locator('geodesic-voronoi');
     for (const [width, height, isBeside] of [
@@ -199,7 +184,6 @@ suite('access', () => {
       assert.ok(heights.view > (isOpen ? 70 : 180), `${heights.view} of the view are seen`);
       assert.ok(!isOpen || heights.panel > 120, `${heights.panel} of the panel are seen`);
     }
-    await viewer.close();
   });
 
   test('long work can be given up on a phone, also beside the open sheet', async () => {
@@ -208,7 +192,6 @@ suite('access', () => {
       { width: 320, height: 568 },
     ]) {
       const viewer = await browser.open({ viewport });
-      await viewer.settled();
       await viewer.page.evaluate(() => {
         document.getElementById('progress-label').textContent = 'Computing the diagram';
         document.getElementById('progress').hidden = false;
@@ -228,7 +211,6 @@ suite('access', () => {
 
   test('density that is painted by a key is announced, and that it is gone', async () => {
     const viewer = await browser.open();
-    await viewer.settled();
     await viewer.evaluate((viewer) => viewer.setAttribute('tool', 'density'));
     await viewer.page.locator('geodesic-voronoi canvas').focus();
     for (const [key, told] of [
@@ -240,7 +222,6 @@ suite('access', () => {
         .locator('#announcement', { hasText: told })
         .waitFor({ state: 'attached', timeout: 20_000 });
     }
-    await viewer.close();
   });
 
   test('readout, scale of distances and toolbar lie side by side', async () => {
@@ -250,10 +231,7 @@ suite('access', () => {
       [1280, 720],
     ]) {
       const viewer = await browser.open({ viewport: { width, height } });
-      await viewer.settled();
-      await viewer.evaluate((viewer) => {
-        viewer.layers = ['distances', 'sites'];
-      });
+      await viewer.set({ layers: ['distances', 'sites'] });
       const shown = ['#readout', 'geodesic-voronoi [part=distances]', '#toolbar'].map((selector) =>
         viewer.page.locator(selector),
       );
@@ -274,17 +252,14 @@ suite('access', () => {
 
   test('the element takes the focus as a whole', async () => {
     const viewer = await browser.open();
-    await viewer.settled();
     await viewer.evaluate((viewer) => viewer.focus());
     await viewer.after('diagram', () => viewer.page.keyboard.press('Enter'));
     assert.equal(await viewer.siteCount(), 61);
-    await viewer.close();
   });
 
   test('the focus goes on to a neighbour of a button that is disabled or hidden', async () => {
     const viewer = await browser.open({ viewport: { width: 1280, height: 720 } });
     const { page } = viewer;
-    await viewer.settled();
     const focused = () =>
       page.evaluate(() => document.activeElement.id || document.activeElement.textContent);
     const then = async (act) => {
@@ -313,44 +288,25 @@ suite('access', () => {
     const hide = () => page.evaluate(() => document.querySelector('#hide-panel').click());
     assert.equal(await then(hide), 'hide-panel');
     assert.equal(await press('#hide-panel'), 'hide-panel');
-    await viewer.after('error', () =>
-      page.setInputFiles('#files', [{ name: 'a.txt', mimeType: '', buffer: Buffer.from('a') }]),
-    );
+    await viewer.after('error', () => viewer.choose({ 'a.txt': 'a' }));
     assert.equal(await press('#error-close'), 'viewer', 'its canvas');
-    await viewer.close();
   });
 
   test('in a small window the model is beside the toolbar, and the legend is small', async () => {
     const viewer = await browser.open({ viewport: { width: 800, height: 600 } });
-    await viewer.settled();
-    const { x, y, width, height } = await viewer.page.locator('#toolbar').boundingBox();
-    const covers = await viewer.evaluate(
-      (viewer, { x, y, width, height }) => {
-        for (let px = x; px <= x + width; px += 4) {
-          for (let py = y; py <= y + height; py += 4) {
-            if (viewer.surfaceFromPoint(px, py)) return [px, py];
-          }
-        }
-        return undefined;
-      },
-      { x, y, width, height },
-    );
-    assert.equal(covers, undefined);
-    await viewer.evaluate((viewer) => {
-      viewer.layers = ['distances', 'sites'];
-    });
+    const toolbar = await viewer.page.locator('#toolbar').boundingBox();
+    assert.equal(await viewer.surfaceIn(toolbar), undefined);
+    await viewer.set({ layers: ['distances', 'sites'] });
     const legend = viewer.page.locator('geodesic-voronoi [part=distances]');
     await legend.waitFor();
     const view = await viewer.page.locator('geodesic-voronoi').boundingBox();
     const box = await legend.boundingBox();
     const share = (box.width * box.height) / (view.width * view.height);
     assert.ok(share < 0.05, `${share} of the view is the legend's`);
-    await viewer.close();
   });
 
   test('what is chosen is seen in the system’s colours', async () => {
     const viewer = await browser.open({ forcedColors: 'active' });
-    await viewer.settled();
     const [on, off] = await viewer.page.evaluate(() =>
       [':checked', ':not(:checked)'].map((state) => {
         const chip = document.querySelector(`#layers input${state} + span`);
@@ -358,9 +314,7 @@ suite('access', () => {
       }),
     );
     assert.notEqual(on, off);
-    await viewer.evaluate((viewer) => {
-      viewer.layers = ['distances'];
-    });
+    await viewer.set({ layers: ['distances'] });
     const scale = viewer.page.locator('geodesic-voronoi .distances .scale');
     await scale.waitFor();
     assert.match(
@@ -368,6 +322,5 @@ suite('access', () => {
       /^linear-gradient/,
       'a scale of distances has its colours',
     );
-    await viewer.close();
   });
 });

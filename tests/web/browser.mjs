@@ -6,6 +6,8 @@ import assert from 'node:assert/strict';
 import { readFile, readdir } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { basename, extname, join } from 'node:path';
+import { buffer } from 'node:stream/consumers';
+import { after, afterEach, beforeEach } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 import { coarseBunny } from '../../web/page/samples/samples.mjs';
@@ -64,8 +66,8 @@ export async function assertWorkersAreNotImported(folder) {
   );
 }
 
-/** Keeps, in the page, the WebGL contexts that are made. */
-function recordContexts() {
+/** What pages offer to the tests: the WebGL contexts that were made, and pixels of pictures. */
+function preparePage() {
   window.contexts = [];
   const { getContext } = HTMLCanvasElement.prototype;
   HTMLCanvasElement.prototype.getContext = function (type, ...options) {
@@ -73,6 +75,17 @@ function recordContexts() {
     if (context && type.startsWith('webgl')) window.contexts.push(context);
     return context;
   };
+  /** The pixels of a file or a canvas. */
+  window.pixelsOf = async (source) => {
+    const bitmap = await createImageBitmap(source);
+    const { width, height } = bitmap;
+    const context = new OffscreenCanvas(width, height).getContext('2d');
+    context.drawImage(bitmap, 0, 0);
+    return context.getImageData(0, 0, width, height);
+  };
+  /** The share of pixels that are not transparent. */
+  window.opaqueShare = ({ data }) =>
+    data.filter((alpha, i) => i % 4 === 3 && alpha === 255).length / (data.length / 4);
 }
 
 /** The first model, coarser than it is: a software renderer takes its time for each vertex. */
@@ -108,8 +121,8 @@ async function serve(documents) {
 const firstModel = '#v=1&model=bunny.ply&sites=60&seed=4';
 
 /**
- * A browser and a server for all tests of a file. `documents` are pages besides the one that is built:
- * their `html`, and their `policy` if it is another. Antialiasing, of which only pictures tell, takes a
+ * A browser and a server for the pages. `documents` are pages besides the one that is built: their
+ * `html`, and their `policy` if it is another. Antialiasing, of which only pictures tell, takes a
  * software renderer a fifth of all time.
  */
 export async function startBrowser(documents = {}, { antialias = false } = {}) {
@@ -119,23 +132,41 @@ export async function startBrowser(documents = {}, { antialias = false } = {}) {
     ...browserOptions,
     args: [...browserOptions.args, ...args],
   });
+  const pages = [];
+  /**
+   * The page, with the sample and the sites that the hash asks for, or a document, in a window of its
+   * own; `prepare` may change it before anything is loaded. `complaint` is a pattern of the errors
+   * that its console is expected to show.
+   */
+  async function visit({
+    prepare,
+    complaint,
+    path = '',
+    hash = path ? '' : firstModel,
+    ...context
+  } = {}) {
+    const page = await browser.newPage({
+      viewport: { width: 800, height: 420 },
+      // A camera that glides on draws frame after frame, seconds each here.
+      reducedMotion: 'reduce',
+      ...context,
+    });
+    page.setDefaultTimeout(120_000);
+    const viewer = new ViewerPage(page, complaint);
+    pages.push(viewer);
+    await page.addInitScript(preparePage);
+    await prepare?.(page);
+    await page.goto(server.address + path + hash);
+    return viewer;
+  }
   return {
-    /**
-     * The page, with the sample and the sites that the hash asks for, or a document, in a window of its
-     * own; `prepare` may change it before anything is loaded.
-     */
-    async open({ prepare, path = '', hash = path ? '' : firstModel, ...context } = {}) {
-      const page = await browser.newPage({
-        viewport: { width: 800, height: 420 },
-        // A camera that glides on draws frame after frame, seconds each here.
-        reducedMotion: 'reduce',
-        ...context,
-      });
-      page.setDefaultTimeout(120_000);
-      const viewer = new ViewerPage(page);
-      await page.addInitScript(recordContexts);
-      await prepare?.(page);
-      await page.goto(server.address + path + hash);
+    /** All that were opened. */
+    pages,
+    visit,
+    /** The same page, once its viewer has nothing left to do. */
+    async open(options) {
+      const viewer = await visit(options);
+      await viewer.settled();
       return viewer;
     },
     async stop() {
@@ -145,20 +176,41 @@ export async function startBrowser(documents = {}, { antialias = false } = {}) {
   };
 }
 
+/**
+ * A browser for all tests of a file. A page that a test opens is closed after it; one that is opened
+ * before the tests stays. What their consoles say of errors, as under the strict policy that they are
+ * served with, fails the test.
+ */
+export async function browserForTests(documents, options) {
+  const browser = await startBrowser(documents, options);
+  const { pages } = browser;
+  let lasting = 0;
+  beforeEach(() => {
+    lasting = pages.length;
+  });
+  afterEach(async () => {
+    const complaints = pages.flatMap((viewer) => viewer.complaints);
+    for (const viewer of pages.splice(lasting)) await viewer.close();
+    assert.deepEqual(complaints, []);
+  });
+  after(() => browser.stop());
+  return browser;
+}
+
 /** The page with its viewer. */
 export class ViewerPage {
   /** What the console says of errors and warnings, exceptions and violated policies included. */
   complaints = [];
 
-  constructor(page) {
+  /** Without what is expected, and what a driver says of the pictures that tests take. */
+  constructor(page, expected = /(?!)/) {
     this.page = page;
+    const isExpected = (text) =>
+      expected.test(text) || text.includes('GPU stall due to ReadPixels');
     page.on('pageerror', (error) => this.complaints.push(String(error.stack ?? error)));
     page.on('console', (message) => {
-      // What a driver says of the pictures that tests take.
-      const isOfDriver = message.text().includes('GPU stall due to ReadPixels');
-      if (['error', 'warning'].includes(message.type()) && !isOfDriver) {
+      if (['error', 'warning'].includes(message.type()) && !isExpected(message.text()))
         this.complaints.push(message.text());
-      }
     });
   }
 
@@ -166,6 +218,14 @@ export class ViewerPage {
   evaluate(f, argument) {
     return this.page.evaluate(
       `(${f})(document.querySelector('geodesic-voronoi'), ${JSON.stringify(argument)})`,
+    );
+  }
+
+  /** Sets properties of the viewer. */
+  set(properties) {
+    return this.evaluate(
+      (viewer, properties) => void Object.assign(viewer, properties),
+      properties,
     );
   }
 
@@ -191,6 +251,41 @@ export class ViewerPage {
     const detail = await this.evaluate((viewer) => viewer.awaited);
     await this.settled();
     return detail;
+  }
+
+  /** Chooses files in the page's dialog, by their names. */
+  choose(files) {
+    const chosen = Object.entries(files).map(([name, content]) => ({
+      name,
+      mimeType: '',
+      buffer: Buffer.from(content),
+    }));
+    return this.page.setInputFiles('#files', chosen);
+  }
+
+  /** Clicks in the menu of downloads, and returns the file's name and content. */
+  async download(row, format) {
+    await this.page.click('#download-button');
+    const [file] = await Promise.all([
+      this.page.waitForEvent('download'),
+      this.page.click(`#download-${row}-${format}`),
+    ]);
+    return { name: file.suggestedFilename(), content: await buffer(await file.createReadStream()) };
+  }
+
+  /** Until so many sites have been placed. */
+  haveSites(count) {
+    return this.page.waitForFunction(
+      (count) => document.querySelector('geodesic-voronoi').sites?.face.length === count,
+      count,
+    );
+  }
+
+  /** Until the page has been drawn as it is now, which may change it once more. */
+  drawn() {
+    return this.page.evaluate(
+      () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
+    );
   }
 
   siteCount() {
@@ -253,6 +348,18 @@ export class ViewerPage {
     return place;
   }
 
+  /** The highest place in a box of the page where the surface is seen, if there is one. */
+  surfaceIn(box) {
+    return this.evaluate((viewer, { x: left, y: top, width, height }) => {
+      for (let y = top; y <= top + height; y += 2) {
+        for (let x = left; x <= left + width; x += 4) {
+          if (viewer.surfaceFromPoint(x, y)) return { x, y };
+        }
+      }
+      return undefined;
+    }, box);
+  }
+
   /** A place of the view beside the model. */
   emptyPlace() {
     return this.evaluate((viewer) => {
@@ -269,23 +376,20 @@ export class ViewerPage {
       const before = viewer.getAttribute('layers');
       viewer.layers = layers;
       await null; // Attributes take effect together, after the code that sets them.
-      const bitmap = await createImageBitmap(await viewer.toBlob());
+      const picture = await window.pixelsOf(await viewer.toBlob());
       if (before === null) viewer.removeAttribute('layers');
       else viewer.setAttribute('layers', before);
-      const { width, height } = bitmap;
-      const context = new OffscreenCanvas(width, height).getContext('2d');
-      context.drawImage(bitmap, 0, 0);
       viewer.pictures ??= [];
-      return viewer.pictures.push(context.getImageData(0, 0, width, height)) - 1;
+      return viewer.pictures.push(picture) - 1;
     }, layers);
   }
 
   /** The share of a picture's pixels that are not transparent. */
   coverage(picture) {
-    return this.evaluate((viewer, picture) => {
-      const { data } = viewer.pictures[picture];
-      return data.filter((alpha, i) => i % 4 === 3 && alpha === 255).length / (data.length / 4);
-    }, picture);
+    return this.evaluate(
+      (viewer, picture) => window.opaqueShare(viewer.pictures[picture]),
+      picture,
+    );
   }
 
   /** How many pixels differ between two pictures, and whether the one at a place of the page does. */

@@ -4,10 +4,10 @@
 
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
-import { after, before, suite, test } from 'node:test';
+import { suite, test } from 'node:test';
 import { torus } from '../../web/page/samples/shapes.mjs';
 import { meshObj } from '../wasm/model_files.mjs';
-import { startBrowser } from './browser.mjs';
+import { browserForTests } from './browser.mjs';
 
 const standalone = '<script type="module" src="/package/standalone.js"></script>';
 const importMap = JSON.stringify({
@@ -35,67 +35,56 @@ const twenty = Array.from(
 ).join('\n');
 const hash = createHash('sha256').update(importMap).digest('base64');
 
-let browser;
-before(async () => {
-  browser = await startBrowser({
-    '/icon.svg': { html: '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9" />' },
-    '/one.html': page(`<geodesic-voronoi ${model}></geodesic-voronoi>`),
-    '/twenty.html': page(twenty),
-    '/early.html': page(`<geodesic-voronoi></geodesic-voronoi><script src="early.js"></script>`),
-    '/early.js': {
-      html: `Object.assign(document.querySelector('geodesic-voronoi'), {
-        src: '/samples/torus.glb', sites: 7, layers: ['regions', 'dual'], cameraOrbit: '30deg 75deg 120%',
-      });`,
-    },
-    '/exploded.html': page(
-      `<geodesic-voronoi ${model} exploded="0.8" layers="regions"></geodesic-voronoi>
-       <script type="module" src="count.js"></script>`,
+const browser = await browserForTests({
+  '/icon.svg': { html: '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9" />' },
+  '/one.html': page(`<geodesic-voronoi ${model}></geodesic-voronoi>`),
+  '/twenty.html': page(twenty),
+  '/early.html': page(`<geodesic-voronoi></geodesic-voronoi><script src="early.js"></script>`),
+  '/early.js': {
+    html: `Object.assign(document.querySelector('geodesic-voronoi'), {
+      src: '/samples/torus.glb', sites: 7, layers: ['regions', 'dual'], cameraOrbit: '30deg 75deg 120%',
+    });`,
+  },
+  '/exploded.html': page(
+    `<geodesic-voronoi ${model} exploded="0.8" layers="regions"></geodesic-voronoi>
+     <script type="module" src="count.js"></script>`,
+  ),
+  '/count.js': {
+    html: `const viewer = document.querySelector('geodesic-voronoi');
+      viewer.addEventListener('exploded', ({ detail }) => { viewer.parts = detail?.regions; });`,
+  },
+  '/scheme.html': page(
+    `<geodesic-voronoi ${model} layers="regions"></geodesic-voronoi>`,
+    `<meta name="color-scheme" content="light dark" />${standalone}`,
+  ),
+  '/empty.html': page(''),
+  '/pentagon.obj': { html: 'v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 2 0\nv 0 1 0\nf 1 2 3 4 5\n' },
+  '/article.html': page(`<geodesic-voronoi ${model}></geodesic-voronoi>${longText}`),
+  '/import-map.html': {
+    ...page(
+      `<geodesic-voronoi ${model}></geodesic-voronoi>`,
+      `<script type="importmap">${importMap}</script>
+       <script type="module" src="/package/viewer/element.js"></script>`,
     ),
-    '/count.js': {
-      html: `const viewer = document.querySelector('geodesic-voronoi');
-        viewer.addEventListener('exploded', ({ detail }) => { viewer.parts = detail?.regions; });`,
-    },
-    '/scheme.html': page(
-      `<geodesic-voronoi ${model} layers="regions"></geodesic-voronoi>`,
-      `<meta name="color-scheme" content="light dark" />${standalone}`,
-    ),
-    '/empty.html': page(''),
-    '/pentagon.obj': { html: 'v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 2 0\nv 0 1 0\nf 1 2 3 4 5\n' },
-    '/article.html': page(`<geodesic-voronoi ${model}></geodesic-voronoi>${longText}`),
-    '/import-map.html': {
-      ...page(
-        `<geodesic-voronoi ${model}></geodesic-voronoi>`,
-        `<script type="importmap">${importMap}</script>
-         <script type="module" src="/package/viewer/element.js"></script>`,
-      ),
-      policy:
-        `default-src 'self'; script-src 'self' 'wasm-unsafe-eval' 'sha256-${hash}'; ` +
-        "worker-src 'self'",
-    },
-  });
+    policy:
+      `default-src 'self'; script-src 'self' 'wasm-unsafe-eval' 'sha256-${hash}'; ` +
+      "worker-src 'self'",
+  },
 });
-after(() => browser.stop());
 
-/** Opens a page; what is wrong with it fails the test. */
-async function opened(context, path, options) {
-  const viewer = await browser.open({ path, ...options });
-  context.after(() => {
-    assert.deepEqual(viewer.complaints, []);
-    return viewer.close();
-  });
+/** A page without an element, to which the script has come. */
+async function emptyPage(options) {
+  const viewer = await browser.visit({ path: 'empty.html', ...options });
+  await viewer.page.waitForFunction(() => customElements.get('geodesic-voronoi'));
   return viewer;
 }
 
 /** The share of an element's view that is not transparent, in what is seen of it now. */
-function drawnShare(viewer, index) {
+async function drawnShare(viewer, index) {
+  await viewer.drawn();
   return viewer.page.evaluate(async (index) => {
     const element = document.querySelectorAll('geodesic-voronoi')[index];
-    await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
-    const canvas = element.shadowRoot.querySelector('canvas');
-    const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d');
-    copy.drawImage(canvas, 0, 0);
-    const { data } = copy.getImageData(0, 0, canvas.width, canvas.height);
-    return data.filter((alpha, i) => i % 4 === 3 && alpha === 255).length / (data.length / 4);
+    return window.opaqueShare(await window.pixelsOf(element.shadowRoot.querySelector('canvas')));
   }, index);
 }
 
@@ -107,25 +96,24 @@ function contextCount(viewer) {
 }
 
 suite('plain pages', () => {
-  test('one script is enough, under a strict content security policy', async (context) => {
+  test('one script is enough, under a strict content security policy', async () => {
     const scripts = [];
-    const viewer = await opened(context, 'one.html', {
+    const viewer = await browser.open({
+      path: 'one.html',
       prepare: (page) =>
         page.on('request', (request) => {
           const { pathname } = new URL(request.url());
           if (pathname.endsWith('.js')) scripts.push(pathname);
         }),
     });
-    await viewer.settled();
     assert.equal(await viewer.regionCount(), 12);
     assert.ok((await drawnShare(viewer, 0)) > 0.1);
     assert.deepEqual([...new Set(scripts)], ['/package/standalone.js']);
     assert.equal(viewer.page.workers().length, 2);
   });
 
-  test('an import map finds three and all else', async (context) => {
-    const viewer = await opened(context, 'import-map.html');
-    await viewer.settled();
+  test('an import map finds three and all else', async () => {
+    const viewer = await browser.open({ path: 'import-map.html' });
     assert.equal(await viewer.regionCount(), 12);
     // What readers import is found in the worker as well, where import maps do not count.
     await viewer.page.evaluate(() => {
@@ -140,9 +128,10 @@ suite('plain pages', () => {
 });
 
 suite('many elements', () => {
-  test('twenty share workers, module and context, drawn when scrolled to', async (context) => {
+  test('twenty share workers, module and context, drawn when scrolled to', async () => {
     const requests = [];
-    const viewer = await opened(context, 'twenty.html', {
+    const viewer = await browser.visit({
+      path: 'twenty.html',
       prepare: (page) =>
         page.on('request', (request) => requests.push(new URL(request.url()).pathname)),
     });
@@ -173,9 +162,8 @@ suite('many elements', () => {
     }
   });
 
-  test('what is far from the view makes and fetches nothing', async (context) => {
-    const viewer = await opened(context, 'empty.html');
-    await viewer.page.waitForFunction(() => customElements.get('geodesic-voronoi'));
+  test('what is far from the view makes and fetches nothing', async () => {
+    const viewer = await emptyPage();
     const requests = [];
     viewer.page.on('request', (request) => requests.push(request.url()));
     await viewer.page.evaluate((html) => {
@@ -185,19 +173,16 @@ suite('many elements', () => {
     assert.deepEqual(requests, []);
     assert.equal(await contextCount(viewer), 0);
     assert.equal(viewer.page.workers().length, 0);
-    await viewer.evaluate((viewer) => {
-      viewer.loading = 'eager';
-    });
+    await viewer.set({ loading: 'eager' });
     await viewer.settled();
     assert.equal(await viewer.regionCount(), 12, 'until it is asked for');
   });
 
-  test('a hundred that come and go leave no worker, context or listener', async (context) => {
-    const viewer = await opened(context, 'empty.html', {
+  test('a hundred that come and go leave no worker, context or listener', async () => {
+    const viewer = await emptyPage({
       prepare: (page) => page.addInitScript(countListeners),
     });
     const { page } = viewer;
-    await page.waitForFunction(() => customElements.get('geodesic-voronoi'));
     const round = (isAwaited) =>
       page.evaluate(
         async ({ model, isAwaited }) => {
@@ -259,9 +244,8 @@ suite('the page around it', () => {
       return { x: box.left + box.width / 2, y: box.top + box.height / 2 };
     });
 
-  test('the wheel scrolls the page until the model has been clicked', async (context) => {
-    const viewer = await opened(context, 'article.html');
-    await viewer.settled();
+  test('the wheel scrolls the page until the model has been clicked', async () => {
+    const viewer = await browser.open({ path: 'article.html' });
     const { x, y } = await centre(viewer);
     const before = await orbit(viewer);
     await viewer.page.mouse.move(x, y);
@@ -279,9 +263,8 @@ suite('the page around it', () => {
     assert.equal(await scrolled(viewer), 60);
   });
 
-  test('touch-action "none" takes it at once, "pan-y" never', async (context) => {
-    const viewer = await opened(context, 'article.html');
-    await viewer.settled();
+  test('touch-action "none" takes it at once, "pan-y" never', async () => {
+    const viewer = await browser.open({ path: 'article.html' });
     const { x, y } = await centre(viewer);
     await viewer.evaluate((viewer) => viewer.setAttribute('touch-action', 'none'));
     await viewer.page.mouse.move(x, y);
@@ -293,9 +276,8 @@ suite('the page around it', () => {
     await viewer.page.waitForFunction(() => scrollY === 60);
   });
 
-  test('a finger scrolls the page until the model has been tapped', async (context) => {
-    const viewer = await opened(context, 'article.html', { hasTouch: true });
-    await viewer.settled();
+  test('a finger scrolls the page until the model has been tapped', async () => {
+    const viewer = await browser.open({ path: 'article.html', hasTouch: true });
     const { x, y } = await centre(viewer);
     const session = await viewer.page.context().newCDPSession(viewer.page);
     const touch = (type, ...touchPoints) =>
@@ -323,12 +305,9 @@ suite('the page around it', () => {
     assert.equal(await scrolled(viewer), 0);
   });
 
-  test('one to look at only does nothing with pointer and wheel', async (context) => {
-    const viewer = await opened(context, 'article.html');
-    await viewer.settled();
-    await viewer.evaluate((viewer) => {
-      viewer.interactive = 'none';
-    });
+  test('one to look at only does nothing with pointer and wheel', async () => {
+    const viewer = await browser.open({ path: 'article.html' });
+    await viewer.set({ interactive: 'none' });
     const { x, y } = await centre(viewer);
     await viewer.page.mouse.click(x, y);
     await viewer.page.mouse.wheel(0, 60);
@@ -337,12 +316,9 @@ suite('the page around it', () => {
     assert.equal(await viewer.page.locator('geodesic-voronoi canvas').getAttribute('role'), 'img');
   });
 
-  test('with "camera", sites stay as they are', async (context) => {
-    const viewer = await opened(context, 'article.html');
-    await viewer.settled();
-    await viewer.evaluate((viewer) => {
-      viewer.interactive = 'camera';
-    });
+  test('with "camera", sites stay as they are', async () => {
+    const viewer = await browser.open({ path: 'article.html' });
+    await viewer.set({ interactive: 'camera' });
     const place = await viewer.freePlace();
     await viewer.page.mouse.click(place.x, place.y);
     await viewer.page.keyboard.press('Enter');
@@ -352,9 +328,8 @@ suite('the page around it', () => {
 });
 
 suite('assistive technology', () => {
-  test('hears what the keys do, and nothing else', async (context) => {
-    const viewer = await opened(context, 'one.html');
-    await viewer.settled();
+  test('hears what the keys do, and nothing else', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
     const heard = async (attributes) => {
       await viewer.evaluate(async (viewer, attributes) => {
         for (const [name, value] of Object.entries(attributes)) viewer.setAttribute(name, value);
@@ -376,9 +351,8 @@ suite('assistive technology', () => {
 });
 
 suite('attributes and events', () => {
-  test('an edit without a model is refused, in a sentence', async (context) => {
-    const viewer = await opened(context, 'empty.html');
-    await viewer.page.waitForFunction(() => customElements.get('geodesic-voronoi'));
+  test('an edit without a model is refused, in a sentence', async () => {
+    const viewer = await emptyPage();
     const refusals = await viewer.page.evaluate(async () => {
       const element = document.createElement('geodesic-voronoi');
       document.body.append(element);
@@ -411,8 +385,8 @@ suite('attributes and events', () => {
     );
   });
 
-  test('properties take what attributes do, as React and Vue set them', async (context) => {
-    const viewer = await opened(context, 'empty.html');
+  test('properties take what attributes do, as React and Vue set them', async () => {
+    const viewer = await emptyPage();
     const made = await viewer.page.evaluate(async () => {
       const element = document.createElement('geodesic-voronoi');
       element.src = '/samples/torus.glb';
@@ -428,8 +402,8 @@ suite('attributes and events', () => {
     assert.deepEqual(made, { count: 12, layers: ['regions', 'sites'], exploded: 0.5 });
   });
 
-  test('properties that are set to nothing, as React does when they go, remove their attributes', async (context) => {
-    const viewer = await opened(context, 'empty.html');
+  test('properties that are set to nothing, as React does when they go, remove their attributes', async () => {
+    const viewer = await emptyPage();
     const left = await viewer.page.evaluate(() => {
       const element = document.createElement('geodesic-voronoi');
       const given = {
@@ -455,8 +429,8 @@ suite('attributes and events', () => {
     });
   });
 
-  test('sites that are asked for while a model is opened are sampled on it', async (context) => {
-    const viewer = await opened(context, 'empty.html');
+  test('sites that are asked for while a model is opened are sampled on it', async () => {
+    const viewer = await emptyPage();
     const count = await viewer.page.evaluate(async () => {
       const element = document.createElement('geodesic-voronoi');
       element.src = '/samples/torus.glb';
@@ -469,8 +443,8 @@ suite('attributes and events', () => {
     assert.equal(count, 12);
   });
 
-  test('sites that are asked for while the first ones are sampled replace them', async (context) => {
-    const viewer = await opened(context, 'empty.html');
+  test('sites that are asked for while the first ones are sampled replace them', async () => {
+    const viewer = await emptyPage();
     const { count, steps } = await viewer.page.evaluate(async () => {
       const element = document.createElement('geodesic-voronoi');
       const steps = [];
@@ -495,8 +469,8 @@ suite('attributes and events', () => {
     assert.deepEqual(steps, ['sampled', 'opened']);
   });
 
-  test('a diagram that cannot be made is told of on the view until there is one', async (context) => {
-    const viewer = await opened(context, 'empty.html');
+  test('a diagram that cannot be made is told of on the view until there is one', async () => {
+    const viewer = await emptyPage();
     await viewer.evaluate(() => {
       const element = document.createElement('geodesic-voronoi');
       Object.assign(element, { src: '/samples/torus.glb', sites: 7 });
@@ -517,29 +491,25 @@ suite('attributes and events', () => {
     assert.ok(await message.isHidden());
   });
 
-  test('properties may be set before the script has come', async (context) => {
-    const viewer = await opened(context, 'early.html');
+  test('properties may be set before the script has come', async () => {
+    const viewer = await browser.visit({ path: 'early.html' });
     await viewer.page.waitForFunction(
       () => document.querySelector('geodesic-voronoi').status === 'ready',
     );
     assert.equal(await viewer.siteCount(), 7);
     assert.deepEqual(await viewer.evaluate(({ layers }) => layers), ['regions', 'dual']);
     assert.equal(await viewer.evaluate(({ cameraOrbit }) => cameraOrbit), '30deg 75deg 120%');
-    await viewer.evaluate((viewer) => (viewer.layers = ['regions']));
+    await viewer.set({ layers: ['regions'] });
     assert.equal(await viewer.evaluate((viewer) => viewer.getAttribute('layers')), 'regions');
   });
 
-  test('an exploded view fills the view from the start, and no more', async (context) => {
-    const viewer = await opened(context, 'exploded.html');
+  test('an exploded view fills the view from the start, and no more', async () => {
+    const viewer = await browser.visit({ path: 'exploded.html' });
     await viewer.page.waitForFunction(() => document.querySelector('geodesic-voronoi').diagram);
     await viewer.settled();
     const edges = await viewer.evaluate(async (viewer) => {
       while (viewer.parts !== 12) await new Promise((next) => setTimeout(next, 50));
-      const bitmap = await createImageBitmap(await viewer.toBlob());
-      const { width, height } = bitmap;
-      const context = new OffscreenCanvas(width, height).getContext('2d');
-      context.drawImage(bitmap, 0, 0);
-      const { data } = context.getImageData(0, 0, width, height);
+      const { data, width, height } = await window.pixelsOf(await viewer.toBlob());
       const isDrawn = (x, y) => data[4 * (y * width + x) + 3] > 0;
       const [columns, rows] = [width, height].map((n) => [...Array(n).keys()]);
       return (
@@ -550,20 +520,13 @@ suite('attributes and events', () => {
     assert.equal(edges, 0, 'no part is cut off');
   });
 
-  test('its colours follow the colour scheme of the page, however that is set', async (context) => {
-    const viewer = await opened(context, 'scheme.html');
-    await viewer.settled();
+  test('its colours follow the colour scheme of the page, however that is set', async () => {
+    const viewer = await browser.open({ path: 'scheme.html' });
     await viewer.page.emulateMedia({ colorScheme: 'dark' });
-    // Pages are told with the next frame.
-    await viewer.page.evaluate(
-      () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
-    );
+    await viewer.drawn(); // Pages are told with the next frame.
     const lightness = () =>
       viewer.evaluate(async (viewer) => {
-        const bitmap = await createImageBitmap(await viewer.toBlob());
-        const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
-        context.drawImage(bitmap, 0, 0);
-        const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+        const { data } = await window.pixelsOf(await viewer.toBlob());
         return data.reduce((sum, x, i) => (i % 4 < 3 ? sum + x : sum), 0);
       });
     const dark = await lightness();
@@ -575,9 +538,8 @@ suite('attributes and events', () => {
     assert.ok(dark < 0.9 * light, `${dark} after ${light}`);
   });
 
-  test('what cannot be computed is told apart from what cannot be opened', async (context) => {
-    const viewer = await opened(context, 'one.html');
-    await viewer.settled();
+  test('what cannot be computed is told apart from what cannot be opened', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
     const refused = await viewer.after('error', () =>
       viewer.evaluate((viewer) => viewer.setAttribute('metric', 'manhattan')),
     );
@@ -590,9 +552,8 @@ suite('attributes and events', () => {
     assert.match(sampled.message, /^The sites cannot be placed: .*[^.]\.$/);
   });
 
-  test('a site that is nowhere is refused, and the diagram is there as before', async (context) => {
-    const viewer = await opened(context, 'one.html');
-    await viewer.settled();
+  test('a site that is nowhere is refused, and the diagram is there as before', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
     const message = await viewer.evaluate(async (viewer) => {
       const error = new Promise((resolve) => viewer.addEventListener('error', resolve));
       viewer.addSite({ face: 1e9, bary: [1, 0, 0] });
@@ -607,9 +568,8 @@ suite('attributes and events', () => {
     assert.equal(await viewer.regionCount(), 12);
   });
 
-  test('what is no place, no address and no command is refused, in a sentence', async (context) => {
-    const viewer = await opened(context, 'one.html');
-    await viewer.settled();
+  test('what is no place, no site, no command and no address is refused, in a sentence', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
     const refusals = await viewer.evaluate((viewer) => {
       const edits = [
         () => viewer.addSite(),
@@ -618,6 +578,9 @@ suite('attributes and events', () => {
         () => viewer.moveSite(0, { face: 1, bary: [1, 0] }),
         () => viewer.addSite({ face: 1.5, bary: [1, 0, 0] }),
         () => (viewer.sites = { face: [Number.NaN], bary: [1, 0, 0] }),
+        () => viewer.removeSite(12),
+        () => viewer.moveSite(-1, { face: 0, bary: [1, 0, 0] }),
+        () => viewer.perform('turn'),
       ];
       return edits.map((edit) => {
         try {
@@ -627,27 +590,14 @@ suite('attributes and events', () => {
         }
       });
     });
-    for (const refusal of refusals)
-      assert.equal(
-        refusal,
+    assert.deepEqual(refusals, [
+      ...Array(6).fill(
         'a place is { face, bary }, with the index of a triangle and three coordinates',
-      );
-    const absent = await viewer.evaluate((viewer) =>
-      [() => viewer.removeSite(12), () => viewer.moveSite(-1, { face: 0, bary: [1, 0, 0] })].map(
-        (edit) => {
-          try {
-            return edit();
-          } catch ({ message }) {
-            return message;
-          }
-        },
       ),
-    );
-    assert.deepEqual(absent, [
       'There is no site 12: the number of sites is 12.',
       'There is no site -1: the number of sites is 12.',
+      'There is no command “turn”.',
     ]);
-    assert.equal(await viewer.siteCount(), 12);
     const { message } = await viewer.after('error', () =>
       viewer.evaluate((viewer) => viewer.load('http://[')),
     );
@@ -657,19 +607,10 @@ suite('attributes and events', () => {
     );
     assert.match(refusal.message, /^The sites cannot be placed: .*-5/);
     assert.equal(await viewer.siteCount(), 12);
-    const command = await viewer.evaluate((viewer) => {
-      try {
-        viewer.perform('turn');
-      } catch (error) {
-        return error.message;
-      }
-    });
-    assert.equal(command, 'There is no command “turn”.');
   });
 
-  test('a file alone is opened as a list of one', async (context) => {
-    const viewer = await opened(context, 'one.html');
-    await viewer.settled();
+  test('a file alone is opened as a list of one', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
     const text = new TextDecoder().decode(meshObj(torus(8, 8)));
     const { name } = await viewer.after('load', () =>
       viewer.evaluate((viewer, text) => void viewer.loadFiles(new File([text], 'own.obj')), text),
@@ -677,9 +618,8 @@ suite('attributes and events', () => {
     assert.equal(name, 'own.obj');
   });
 
-  test('a picture of no size is refused, and so is a density of other vertices', async (context) => {
-    const viewer = await opened(context, 'one.html');
-    await viewer.settled();
+  test('a picture of no size is refused, and so is a density of other vertices', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
     const refusals = await viewer.evaluate(async (viewer) => {
       const messageOf = ({ message }) => message;
       const scales = [0, -1, Number.NaN].map((scale) =>
@@ -703,8 +643,9 @@ suite('attributes and events', () => {
     ]);
   });
 
-  test('opening a file tells how far it is, and ends in the worker when it is cancelled', async (context) => {
-    const viewer = await opened(context, 'one.html', {
+  test('opening a file tells how far it is, and ends in the worker when it is cancelled', async () => {
+    const viewer = await browser.open({
+      path: 'one.html',
       prepare: (page) =>
         page.addInitScript(() => {
           window.aborted = 0;
@@ -715,7 +656,6 @@ suite('attributes and events', () => {
           };
         }),
     });
-    await viewer.settled();
     const { shares, isOpen, aborted } = await viewer.evaluate(
       async (viewer, text) => {
         const shares = [];
@@ -739,9 +679,8 @@ suite('attributes and events', () => {
     assert.equal(await viewer.siteCount(), 12, 'the model before stays');
   });
 
-  test('loading is told of in order, and the poster goes', async (context) => {
-    const viewer = await opened(context, 'empty.html');
-    await viewer.page.waitForFunction(() => customElements.get('geodesic-voronoi'));
+  test('loading is told of in order, and the poster goes', async () => {
+    const viewer = await emptyPage();
     const told = await viewer.page.evaluate(async (model) => {
       document.body.innerHTML = `<div></div>`;
       const element = document.createElement('geodesic-voronoi');
@@ -777,11 +716,9 @@ suite('attributes and events', () => {
     assert.equal(shares.at(-1), 1);
   });
 
-  test('a poster that is revealed by hand stays until then', async (context) => {
-    const viewer = await opened(context, 'one.html');
-    await viewer.evaluate((viewer) => {
-      viewer.reveal = 'manual';
-    });
+  test('a poster that is revealed by hand stays until then', async () => {
+    const viewer = await browser.visit({ path: 'one.html' });
+    await viewer.set({ reveal: 'manual' });
     await viewer.settled();
     const poster = viewer.page.locator('geodesic-voronoi .poster');
     assert.equal(await poster.evaluate(({ hidden }) => hidden), false);
@@ -789,10 +726,8 @@ suite('attributes and events', () => {
     assert.equal(await poster.evaluate(({ hidden }) => hidden), true);
   });
 
-  test('a model that cannot be had says so in its place, until there is one', async (context) => {
-    const viewer = await browser.open({ path: 'empty.html' });
-    context.after(() => viewer.close());
-    await viewer.page.waitForFunction(() => customElements.get('geodesic-voronoi'));
+  test('a model that cannot be had says so in its place, until there is one', async () => {
+    const viewer = await emptyPage({ complaint: /404/ });
     const error = await viewer.page.evaluate(() => {
       const element = document.createElement('geodesic-voronoi');
       element.src = '/nowhere.glb';
@@ -808,19 +743,12 @@ suite('attributes and events', () => {
     const message = viewer.page.locator('geodesic-voronoi [role=alert]');
     assert.equal(await message.textContent(), sentence);
     assert.equal(await message.isVisible(), true);
-    await viewer.after('diagram', () =>
-      viewer.evaluate((viewer) => {
-        viewer.src = '/samples/torus.glb';
-      }),
-    );
+    await viewer.after('diagram', () => viewer.set({ src: '/samples/torus.glb' }));
     assert.equal(await message.isVisible(), false);
   });
 
-  test('an address without a last part is named as a whole', async (context) => {
-    // That the server has no such file is a complaint.
-    const viewer = await browser.open({ path: 'empty.html' });
-    context.after(() => viewer.close());
-    await viewer.page.waitForFunction(() => customElements.get('geodesic-voronoi'));
+  test('an address without a last part is named as a whole', async () => {
+    const viewer = await emptyPage({ complaint: /404/ });
     const [message, address] = await viewer.page.evaluate(async () => {
       const element = document.createElement('geodesic-voronoi');
       document.body.append(element);
@@ -833,19 +761,16 @@ suite('attributes and events', () => {
     assert.equal(message, `${address} cannot be fetched: the server answers 404.`);
   });
 
-  test('the camera goes where it is told, and tells where it is', async (context) => {
-    const viewer = await opened(context, 'one.html');
-    await viewer.settled();
+  test('the camera goes where it is told, and tells where it is', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
     const moved = await viewer.after('camera-change', () =>
-      viewer.evaluate((viewer) => {
-        viewer.cameraOrbit = '30deg 75deg 120%';
-      }),
+      viewer.set({ cameraOrbit: '30deg 75deg 120%' }),
     );
     assert.equal(moved.orbit, '30deg 75deg 120%');
   });
 
-  test('the camera is told to be nowhere but where a model is seen from', async (context) => {
-    const viewer = await opened(context, 'empty.html');
+  test('the camera is told to be nowhere but where a model is seen from', async () => {
+    const viewer = await emptyPage();
     const orbits = await viewer.evaluate(async () => {
       const viewer = document.createElement('geodesic-voronoi');
       const orbits = [];
@@ -859,9 +784,8 @@ suite('attributes and events', () => {
   });
 
   // WebKit shows nothing of a canvas that was moved until it is drawn on.
-  test('one that is moved in its document is drawn anew', async (context) => {
-    const viewer = await opened(context, 'one.html');
-    await viewer.settled();
+  test('one that is moved in its document is drawn anew', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
     await viewer.evaluate(async (viewer) => {
       const { prototype } = CanvasRenderingContext2D;
       const { drawImage } = prototype;
@@ -877,9 +801,8 @@ suite('attributes and events', () => {
   });
 
   // A style sheet that a script has made serves one document only.
-  test('one that is moved to another document keeps its content and its style', async (context) => {
-    const viewer = await opened(context, 'one.html');
-    await viewer.settled();
+  test('one that is moved to another document keeps its content and its style', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
     const seen = await viewer.evaluate(async (viewer) => {
       const inFrame = () => {
         const legend = viewer.shadowRoot.querySelector('.legend');
@@ -902,9 +825,8 @@ suite('attributes and events', () => {
     assert.deepEqual(seen, { moved: whole, opened: whole });
   });
 
-  test('a picture of it can be had, larger too', async (context) => {
-    const viewer = await opened(context, 'one.html');
-    await viewer.settled();
+  test('a picture of it can be had, larger too', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
     const pictures = await viewer.evaluate(async (viewer) => {
       const size = async (blob) => {
         const { width, height } = await createImageBitmap(blob);

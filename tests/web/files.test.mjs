@@ -3,27 +3,18 @@
 // What is dropped on the page and what is downloaded from it, besides models.
 
 import assert from 'node:assert/strict';
-import { after, before, suite, test } from 'node:test';
+import { suite, test } from 'node:test';
 import { unzipSync } from 'fflate';
-import { glb, grid, octahedron } from '../wasm/meshes.mjs';
-import { firstTriangles, startBrowser } from './browser.mjs';
+import { jsonOf } from '../wasm/files.mjs';
+import { glb, grid, octahedron, torn } from '../wasm/meshes.mjs';
+import { browserForTests, firstTriangles } from './browser.mjs';
+
+const browser = await browserForTests();
+const viewer = await browser.open();
+/** Another page, of tests that open a model of their own. */
+const own = await browser.open();
 
 suite('files', () => {
-  let browser;
-  let viewer;
-  /** Another page, of tests that open a model of their own. */
-  let own;
-  before(async () => {
-    browser = await startBrowser();
-    [viewer, own] = [await browser.open(), await browser.open()];
-    await viewer.settled();
-    await own.settled();
-  });
-  after(async () => {
-    assert.deepEqual([viewer.complaints, own.complaints], [[], []]);
-    await browser.stop();
-  });
-
   /** A file, as a person drags it in from elsewhere. */
   const drop = (name, content) =>
     viewer.evaluate(
@@ -39,19 +30,8 @@ suite('files', () => {
       { name, content },
     );
 
-  async function download(row, format, { page } = viewer) {
-    await page.click('#download-button');
-    const [file] = await Promise.all([
-      page.waitForEvent('download'),
-      page.click(`#download-${row}-${format}`),
-    ]);
-    const chunks = [];
-    for await (const chunk of await file.createReadStream()) chunks.push(chunk);
-    return { name: file.suggestedFilename(), content: Buffer.concat(chunks) };
-  }
-
   test('sites that were downloaded are dropped to bring them back, a step to undo', async () => {
-    const { name, content } = await download('sites', 'json');
+    const { name, content } = await viewer.download('sites', 'json');
     assert.equal(name, 'bunny-sites.json');
     assert.deepEqual(JSON.parse(content).mesh, { faces: firstTriangles });
     const sites = await viewer.sites();
@@ -84,7 +64,7 @@ suite('files', () => {
   });
 
   test('coordinates of sites are a table, which brings them back', async () => {
-    const { name, content } = await download('sites', 'csv');
+    const { name, content } = await viewer.download('sites', 'csv');
     assert.equal(name, 'bunny-sites.csv');
     const places = () =>
       viewer.evaluate(async ({ mesh, sites }) => [...(await mesh.positionsOf(sites))]);
@@ -103,13 +83,8 @@ suite('files', () => {
 
   test('a model that is chosen together with its sites opens with them', async () => {
     const sites = { face: [2, 7], bary: [1 / 2, 1 / 4, 1 / 4, 1, 0, 0] };
-    await own.page.setInputFiles('#files', [
-      { name: 'sites.json', mimeType: '', buffer: Buffer.from(JSON.stringify(sites)) },
-      { name: 'mine.glb', mimeType: '', buffer: Buffer.from(glb(octahedron())) },
-    ]);
-    await own.page.waitForFunction(
-      () => document.querySelector('geodesic-voronoi').diagram?.sites.face.length === 2,
-    );
+    await own.choose({ 'sites.json': JSON.stringify(sites), 'mine.glb': glb(octahedron()) });
+    await own.haveSites(2);
     assert.deepEqual(await own.sites(), sites);
   });
 
@@ -168,30 +143,17 @@ suite('files', () => {
     await error.waitFor();
     await viewer.page.click('#error-close');
 
-    await own.page.setInputFiles('#files', [
-      { name: 'a.ply', mimeType: '', buffer: Buffer.from(ply(3, ['0 0 1', '0 1 0', '1 0 0'])) },
-      { name: 'mine.glb', mimeType: '', buffer: Buffer.from(glb(octahedron())) },
-    ]);
-    await own.page.waitForFunction(
-      () => document.querySelector('geodesic-voronoi').diagram?.sites.face.length === 3,
-    );
+    await own.choose({
+      'a.ply': ply(3, ['0 0 1', '0 1 0', '1 0 0']),
+      'mine.glb': glb(octahedron()),
+    });
+    await own.haveSites(3);
     assert.match(await own.page.locator('#samples').inputValue(), /^mine\.glb /);
   });
 
   test('welding is offered where triangles are apart by a hair', async () => {
-    const { positions, indices } = octahedron();
-    const torn = {
-      positions: indices.flatMap((v, i) =>
-        positions.slice(3 * v, 3 * v + 3).map((x) => x + 1e-7 * (i % 3)),
-      ),
-      indices: indices.map((_, i) => i),
-    };
     const components = () => own.evaluate(({ info }) => info.components);
-    await own.after('diagram', () =>
-      own.page.setInputFiles('#files', [
-        { name: 'torn.glb', mimeType: '', buffer: Buffer.from(glb(torn)) },
-      ]),
-    );
+    await own.after('diagram', () => own.choose({ 'torn.glb': glb(torn(octahedron(), 1e-7)) }));
     assert.equal(await components(), 8);
     await own.after('diagram', () => own.page.getByText('Weld them').click());
     assert.equal(await components(), 1);
@@ -208,8 +170,7 @@ suite('files', () => {
       ],
     };
     await own.after('diagram', () => own.evaluate((viewer) => viewer.setAttribute('sites', 4)));
-    const file = { name: 'mine.glb', mimeType: '', buffer: Buffer.from(glb(plate)) };
-    await own.page.setInputFiles('#files', [file]);
+    await own.choose({ 'mine.glb': glb(plate) });
     const note = own.page.locator('#note').filter({ hasText: 'lies in the wrong region' });
     await note.waitFor();
     assert.match(await note.textContent(), / about \d0 % of the area /);
@@ -249,21 +210,21 @@ suite('files', () => {
       ['polygons', /^The polygons in the file are no valid mesh of the surface: .+\.$/],
       ['dual', /^The dual in the file is no valid mesh of the surface: .+\.$/],
     ]) {
-      await download(row, 'obj');
+      await viewer.download(row, 'obj');
       await note.filter({ hasText: what }).waitFor();
     }
     await viewer.after('diagram', () => viewer.page.click('#note-action'));
     assert.ok((await viewer.siteCount()) > 3);
     assert.equal(await note.isVisible(), false);
-    await download('dual', 'obj');
+    await viewer.download('dual', 'obj');
     assert.equal(await note.isVisible(), false);
   });
 
   test('a file that would be empty is not written, and a note goes with its file', async () => {
     await viewer.after('diagram', () => drop('three.json', '{"vertex": [0, 900, 7000]}'));
-    await download('dual', 'obj');
+    await viewer.download('dual', 'obj');
     await viewer.page.locator('#note').waitFor();
-    await download('sites', 'json');
+    await viewer.download('sites', 'json');
     assert.equal(await viewer.page.locator('#note').isVisible(), false);
 
     await viewer.after('diagram', () => drop('one.json', '{"vertex": [900]}'));
@@ -308,22 +269,15 @@ suite('files', () => {
   test('sites count the triangles of the file, also of a mesh that was repaired', async () => {
     const { positions, indices } = octahedron();
     const model = glb({ positions, indices: [0, 0, 1, ...indices] });
-    await own.after('diagram', () =>
-      own.page.setInputFiles('#files', [
-        { name: 'own.glb', mimeType: '', buffer: Buffer.from(model) },
-      ]),
-    );
+    await own.after('diagram', () => own.choose({ 'own.glb': model }));
     assert.equal(await own.evaluate(({ info }) => info.faces), 8);
     const sites = { mesh: { faces: 9 }, face: [8, 1], bary: [1, 0, 0, 0, 1, 0] };
-    const buffer = Buffer.from(JSON.stringify(sites));
-    await own.after('diagram', () =>
-      own.page.setInputFiles('#files', [{ name: 's.json', mimeType: '', buffer }]),
-    );
+    await own.after('diagram', () => own.choose({ 's.json': JSON.stringify(sites) }));
     assert.deepEqual((await own.sites()).face, [8, 1]);
   });
 
   test('outlines are what is seen of the bisectors', async () => {
-    const { name, content } = await download('outlines', 'svg');
+    const { name, content } = await viewer.download('outlines', 'svg');
     assert.equal(name, 'bunny-outlines.svg');
     const svg = content.toString();
     const [, width, height] = svg.match(/viewBox="0 0 (\d+) (\d+)"/).map(Number);
@@ -340,17 +294,9 @@ suite('files', () => {
   });
 
   test('outlines end at the boundary of the mesh, which is among them', async () => {
-    await own.after('load', () =>
-      own.page.setInputFiles('#files', {
-        name: 'grid.glb',
-        mimeType: '',
-        buffer: Buffer.from(glb(grid(4))),
-      }),
-    );
+    await own.after('load', () => own.choose({ 'grid.glb': glb(grid(4)) }));
     await own.after('diagram', () =>
-      own.evaluate((viewer) => {
-        viewer.sites = { face: [0, 31], bary: [1, 0, 0, 0, 1, 0] };
-      }),
+      own.set({ sites: { face: [0, 31], bary: [1, 0, 0, 0, 1, 0] } }),
     );
     const lengthOf = (svg) =>
       [...svg.matchAll(/M([^M"]+)/g)].reduce((sum, [, chain]) => {
@@ -368,7 +314,7 @@ suite('files', () => {
       return sum + Math.hypot(next.x - x, next.y - y);
     }, 0);
     const diagonal = Math.hypot(corners[3].x - corners[1].x, corners[3].y - corners[1].y);
-    const { content } = await download('outlines', 'svg', own);
+    const { content } = await own.download('outlines', 'svg');
     const length = lengthOf(content.toString());
     assert.ok(
       Math.abs(length / (around + diagonal) - 1) < 0.05,
@@ -377,7 +323,10 @@ suite('files', () => {
   });
 
   test('a picture is as large as was asked for', async () => {
-    const [once, twice] = [await download('picture', '1x'), await download('picture', '2x')];
+    const [once, twice] = [
+      await viewer.download('picture', '1x'),
+      await viewer.download('picture', '2x'),
+    ];
     const size = ({ content }) => [content.readUInt32BE(16), content.readUInt32BE(20)];
     assert.deepEqual(
       size(twice),
@@ -388,8 +337,8 @@ suite('files', () => {
   });
 
   test('regions in a file have the colours and the numbers of the page', async () => {
-    const { content } = await download('parts', 'glb');
-    const json = JSON.parse(content.subarray(20, 20 + content.readUInt32LE(12)));
+    const { content } = await viewer.download('parts', 'glb');
+    const json = jsonOf(content);
     const colours = await viewer.evaluate((viewer) =>
       [...viewer.sites.face.keys()].map((i) => viewer.regionColour(i)),
     );
@@ -458,11 +407,11 @@ suite('files', () => {
       if (row !== 'parts') files.push([row, 'stl', isStl]);
     }
     for (const [row, format, isRight] of files) {
-      const { name, content } = await download(row, format);
+      const { name, content } = await viewer.download(row, format);
       assert.equal(name, `bunny-${row}.${row === 'picture' ? 'png' : format}`);
       assert.ok(isRight(content), name);
     }
-    const { name, content } = await download('parts', 'stl');
+    const { name, content } = await viewer.download('parts', 'stl');
     assert.equal(name, 'bunny-parts.zip');
     const parts = Object.entries(unzipSync(content));
     const digits = String(regions - 1).length;

@@ -3,24 +3,16 @@
 // Editing and looking, as a person does it: by the toolbar, by keys, while a tessellation plays.
 
 import assert from 'node:assert/strict';
-import { after, afterEach, before, beforeEach, suite, test } from 'node:test';
+import { beforeEach, suite, test } from 'node:test';
 import { glb } from '../wasm/meshes.mjs';
-import { startBrowser } from './browser.mjs';
+import { browserForTests } from './browser.mjs';
+
+const browser = await browserForTests();
 
 suite('hands', () => {
-  let browser;
   let viewer;
-  before(async () => {
-    browser = await startBrowser();
-  });
-  after(() => browser.stop());
   beforeEach(async () => {
-    viewer = await browser.open({ viewport: { width: 800, height: 420 } });
-    await viewer.settled();
-  });
-  afterEach(async () => {
-    assert.deepEqual(viewer.complaints, []);
-    await viewer.close();
+    viewer = await browser.open();
   });
 
   const press = (key) => viewer.page.keyboard.press(key);
@@ -126,8 +118,6 @@ suite('hands', () => {
   });
 
   test('sites on the far side of a thin plate are neither seen nor hit', async () => {
-    const own = await browser.open();
-    await own.settled();
     const corners = [0, 1, 2, 3, 4, 5, 6, 7];
     const plate = {
       positions: corners.flatMap((i) => [(i & 1) * 10, ((i >> 1) & 1) * 6, (i >> 2) * 0.05]),
@@ -136,10 +126,8 @@ suite('hands', () => {
         ...[2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5],
       ],
     };
-    const file = { name: 'plate.glb', mimeType: '', buffer: Buffer.from(glb(plate)) };
-    await own.after('diagram', () => own.page.setInputFiles('#files', [file]));
-    await own.settled();
-    const seen = await own.evaluate(async (viewer) => {
+    await viewer.after('diagram', () => viewer.choose({ 'plate.glb': glb(plate) }));
+    const seen = await viewer.evaluate(async (viewer) => {
       const places = await viewer.mesh.positionsOf(viewer.sites);
       const sites = [...viewer.sites.face.keys()];
       const on = (z) => sites.filter((i) => Math.abs(places[3 * i + 2] - z) < 1e-9);
@@ -149,14 +137,13 @@ suite('hands', () => {
     assert.ok(back.length > 10 && front.length > 10);
     assert.ok(back.every((isSeen) => !isSeen));
     assert.ok(front.every(Boolean));
-    await own.close();
   });
 
   test('a site that is selected turns into view, is told of, and moves by keys', async () => {
     const hidden = await viewer.evaluate((viewer) =>
       [...viewer.sites.face.keys()].find((i) => !viewer.sitePosition(i)),
     );
-    await viewer.evaluate((viewer, hidden) => (viewer.selected = hidden), hidden);
+    await viewer.set({ selected: hidden });
     assert.ok(await viewer.sitePosition(hidden), 'it is seen now');
     const told = new RegExp(`Site ${hidden} selected, of 60, region of area`);
     await viewer.page.locator('#announcement', { hasText: told }).waitFor({ state: 'attached' });
@@ -176,7 +163,7 @@ suite('hands', () => {
     const { x, y } = await viewer.freePlace();
     await viewer.after('diagram', () => viewer.page.mouse.click(x, y));
     await focus();
-    await viewer.evaluate((viewer, hidden) => (viewer.selected = hidden), hidden);
+    await viewer.set({ selected: hidden });
     await viewer.after('diagram', () => press('Shift+ArrowDown'));
     for (const count of [61, 60]) {
       await viewer.after('diagram', () => press('Control+z'));
@@ -201,34 +188,12 @@ suite('hands', () => {
     await viewer.after('hover', () => viewer.page.mouse.wheel(0, -200));
   });
 
-  test('on Apple’s keyboards, keys are called as they are there', async () => {
-    const apple = await browser.open({
-      prepare: (page) =>
-        page.addInitScript(() => {
-          Object.defineProperty(Navigator.prototype, 'platform', { get: () => 'MacIntel' });
-        }),
-    });
-    await apple.settled();
-    assert.equal(await apple.page.getAttribute('#undo', 'title'), 'Undo (⌘ Z)');
-    assert.match(await apple.page.textContent('#help'), /⌘ Z, ⇧ ⌘ Z.*Undo, redo/);
-    assert.doesNotMatch(await apple.page.textContent('#help'), /Ctrl/);
-    await apple.after('diagram', () => apple.evaluate((viewer) => viewer.removeSite(0)));
-    await apple.after('diagram', () => apple.page.keyboard.press('Meta+z'));
-    assert.equal(await apple.siteCount(), 60);
-    await apple.after('diagram', () => apple.page.keyboard.press('Meta+Shift+z'));
-    assert.equal(await apple.siteCount(), 59);
-    assert.deepEqual(apple.complaints, []);
-    await apple.close();
-  });
-
   test('Enter beside the model says why it adds nothing', async () => {
-    await viewer.evaluate((viewer) => (viewer.cameraOrbit = '0deg 75deg 105% 2 0 0'));
+    await viewer.set({ cameraOrbit: '0deg 75deg 105% 2 0 0' });
     await viewer.page.locator('geodesic-voronoi canvas').focus();
     await viewer.page.keyboard.press('Enter');
     await viewer.page.getByText('The model is not at the centre of the view').waitFor();
     assert.equal(await viewer.siteCount(), 60);
-    await viewer.evaluate((viewer) => viewer.removeAttribute('camera-orbit'));
-    await viewer.evaluate((viewer) => viewer.refit());
   });
 
   test('the exploded view of a turned model fills the view, is not edited, and ends to play', async () => {
@@ -238,11 +203,8 @@ suite('hands', () => {
     });
     await viewer.after('exploded', () => viewer.page.locator('#exploded').fill('80'));
     const edge = await viewer.evaluate(async (viewer) => {
-      const bitmap = await createImageBitmap(await viewer.toBlob());
-      const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
-      context.drawImage(bitmap, 0, 0);
-      const { data } = context.getImageData(0, 0, bitmap.width, 2);
-      return data.filter((alpha, i) => i % 4 === 3 && alpha > 0).length;
+      const { data, width } = await window.pixelsOf(await viewer.toBlob());
+      return data.subarray(0, 4 * 2 * width).filter((alpha, i) => i % 4 === 3 && alpha > 0).length;
     });
     assert.equal(edge, 0, 'nothing is cut off at the top');
     assert.equal(await viewer.evaluate(({ cameraOrbit }) => cameraOrbit), turned);
@@ -261,7 +223,6 @@ suite('hands', () => {
     assert.equal(await viewer.page.locator('#exploded').inputValue(), '0');
     assert.equal(await viewer.page.locator('#note').isVisible(), false, 'it is no longer true');
     assert.ok(await layers.first().isEnabled());
-    await viewer.settled();
   });
 
   test('a click whose work fails is told of, unless its model is gone', async () => {
@@ -296,4 +257,21 @@ suite('hands', () => {
     );
     await viewer.page.locator('#note-text', { hasText: '1.4 GB' }).waitFor();
   });
+});
+
+test('on Apple’s keyboards, keys are called as they are there', async () => {
+  const apple = await browser.open({
+    prepare: (page) =>
+      page.addInitScript(() => {
+        Object.defineProperty(Navigator.prototype, 'platform', { get: () => 'MacIntel' });
+      }),
+  });
+  assert.equal(await apple.page.getAttribute('#undo', 'title'), 'Undo (⌘ Z)');
+  assert.match(await apple.page.textContent('#help'), /⌘ Z, ⇧ ⌘ Z.*Undo, redo/);
+  assert.doesNotMatch(await apple.page.textContent('#help'), /Ctrl/);
+  await apple.after('diagram', () => apple.evaluate((viewer) => viewer.removeSite(0)));
+  await apple.after('diagram', () => apple.page.keyboard.press('Meta+z'));
+  assert.equal(await apple.siteCount(), 60);
+  await apple.after('diagram', () => apple.page.keyboard.press('Meta+Shift+z'));
+  assert.equal(await apple.siteCount(), 59);
 });

@@ -3,20 +3,15 @@ import assert from 'node:assert/strict';
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { after, afterEach, before, beforeEach, suite, test } from 'node:test';
+import { beforeEach, suite, test } from 'node:test';
 import { strToU8, zipSync } from 'fflate';
-import { apart, glb, gltf, grid, octahedron, withFlipped } from '../wasm/meshes.mjs';
+import { apart, glb, gltf, grid, octahedron, torn, withFlipped } from '../wasm/meshes.mjs';
 import { torus } from '../../web/page/samples/shapes.mjs';
 import { dracoGlb, meshBinaryStl, meshObj, meshoptGlb, meshPly } from '../wasm/model_files.mjs';
-import { firstTriangles, startBrowser } from './browser.mjs';
+import { firstTriangles, browserForTests } from './browser.mjs';
 
-let browser;
-before(async () => {
-  browser = await startBrowser();
-});
-after(() => browser.stop());
+const browser = await browserForTests();
 
-const file = (name, content) => ({ name, mimeType: '', buffer: Buffer.from(content) });
 const text = (viewer, selector) => viewer.page.locator(selector).textContent();
 /** What is read out waits a moment for the last of several changes. */
 const status = (viewer, pattern) =>
@@ -27,16 +22,10 @@ suite('the page', () => {
   let viewer;
   beforeEach(async () => {
     viewer = await browser.open();
-    await viewer.settled();
-  });
-  afterEach(async () => {
-    // Under the strict policy that the pages of these tests are served with.
-    assert.deepEqual(viewer.complaints, []);
-    await viewer.close();
   });
 
-  const choose = (...files) => viewer.page.setInputFiles('#files', files);
-  const openTorus = () => viewer.after('diagram', () => choose(file('torus.glb', glb(torus()))));
+  const choose = (files) => viewer.choose(files);
+  const openTorus = () => viewer.after('diagram', () => choose({ 'torus.glb': glb(torus()) }));
   const click = ({ x, y }) => viewer.page.mouse.click(x, y);
   const press = (key) => viewer.page.keyboard.press(key);
   const changedSince = async (picture) =>
@@ -144,9 +133,7 @@ suite('the page', () => {
     assert.equal(await isSame(), true);
     assert.deepEqual(await viewer.sites(), before);
     assert.equal(await viewer.regionCount(), 60);
-    await viewer.after('diagram', () =>
-      viewer.evaluate((viewer, rest) => (viewer.sites = rest), rest),
-    );
+    await viewer.after('diagram', () => viewer.set({ sites: rest }));
     assert.equal(await isSame(), false);
     const anew = await viewer.picture(['bisectors', 'voronoi-points']);
     assert.equal((await viewer.difference(inPlace, anew)).count, 0);
@@ -207,22 +194,20 @@ suite('the page', () => {
   test('a file that is no model is told of in a sentence, and the model stays', async () => {
     const before = await viewer.sites();
     const picture = await viewer.picture();
-    const expectError = async (pattern, ...files) => {
-      await viewer.after('error', () => choose(...files));
+    const expectError = async (pattern, files) => {
+      await viewer.after('error', () => choose(files));
       assert.match(await text(viewer, '#error-text'), pattern);
       assert.equal(await viewer.page.locator('#error').isVisible(), true);
     };
     const { json } = gltf(octahedron(), { uri: 'scene.bin' });
-    await expectError(
-      /^notes\.txt cannot be opened: .* none of the formats/,
-      file('notes.txt', 'hello'),
-    );
-    await expectError(
-      /^scene\.gltf .* needs the file "scene\.bin"/,
-      file('scene.gltf', JSON.stringify(json)),
-    );
-    await expectError(/^broken\.glb cannot be opened: .+\.$/, file('broken.glb', 'this is no GLB'));
-    await expectError(/^a\.glb cannot be opened: /, file('a.glb', ''), file('b.glb', ''));
+    await expectError(/^notes\.txt cannot be opened: .* none of the formats/, {
+      'notes.txt': 'hello',
+    });
+    await expectError(/^scene\.gltf .* needs the file "scene\.bin"/, {
+      'scene.gltf': JSON.stringify(json),
+    });
+    await expectError(/^broken\.glb cannot be opened: .+\.$/, { 'broken.glb': 'this is no GLB' });
+    await expectError(/^a\.glb cannot be opened: /, { 'a.glb': '', 'b.glb': '' });
 
     assert.deepEqual(await viewer.sites(), before);
     assert.equal(await viewer.page.locator('#samples').inputValue(), 'bunny.ply');
@@ -258,9 +243,7 @@ suite('the page', () => {
         { files, types },
       );
 
-    await viewer.page.setInputFiles('#files', [
-      { name: 'grid.gltf', mimeType: '', buffer: Buffer.from(JSON.stringify(json)) },
-    ]);
+    await viewer.choose({ 'grid.gltf': JSON.stringify(json) });
     const advice = 'which is missing. Open both together, or their folder.';
     await viewer.page.locator('#error-text', { hasText: advice }).waitFor();
 
@@ -285,10 +268,10 @@ suite('the page', () => {
       ['a.ply', meshPly(octahedron(), 'binary_big_endian')],
       ['a.stl', meshBinaryStl(octahedron())],
     ];
-    for (const [name, content] of files) await opens(name, () => choose(file(name, content)));
+    for (const [name, content] of files) await opens(name, () => choose({ [name]: content }));
     const { json, buffer } = gltf(octahedron(), { uri: 'data/a.bin' });
     const scene = { 'data/a.bin': new Uint8Array(buffer), 'a.gltf': strToU8(JSON.stringify(json)) };
-    await opens('a.gltf', () => choose(file('model.zip', zipSync({ model: scene }))));
+    await opens('a.gltf', () => choose({ 'model.zip': zipSync({ model: scene }) }));
 
     const folder = mkdtempSync(join(tmpdir(), 'geodesic-voronoi-'));
     try {
@@ -311,9 +294,11 @@ suite('the page', () => {
       assert.match(await text(viewer, '#report'), new RegExp(`Triangles${triangles}\\D`));
     };
     const pick = (name) => viewer.after('diagram', () => menu.selectOption({ label: name }));
-    const fine = file('grid 10.obj', meshObj(grid(3)));
+    const fine = meshObj(grid(3));
 
-    await viewer.after('diagram', () => choose(fine, file('grid 2.obj', meshObj(octahedron()))));
+    await viewer.after('diagram', () =>
+      choose({ 'grid 10.obj': fine, 'grid 2.obj': meshObj(octahedron()) }),
+    );
     await is('grid 2.obj', 8);
     assert.match(await text(viewer, '#note-text'), /^This is one of 2 models: choose another /);
     await pick('grid 10.obj');
@@ -325,8 +310,8 @@ suite('the page', () => {
     await is('grid 2.obj', 8);
 
     // In a zip the first is broken: the others can be had all the same.
-    const parts = { 'a/scene.obj': strToU8('v 0 0 0\nf 1 2 3\n'), 'b/scene.obj': fine.buffer };
-    await viewer.after('error', () => choose(file('both.zip', zipSync(parts))));
+    const parts = { 'a/scene.obj': strToU8('v 0 0 0\nf 1 2 3\n'), 'b/scene.obj': fine };
+    await viewer.after('error', () => choose({ 'both.zip': zipSync(parts) }));
     await is('grid 2.obj', 8);
     await pick('b/scene.obj');
     await is('b/scene.obj', 18);
@@ -335,11 +320,11 @@ suite('the page', () => {
     assert.deepEqual(await choices(), all);
 
     // The same files again are no further choices.
-    await viewer.after('diagram', () => choose(fine));
+    await viewer.after('diagram', () => choose({ 'grid 10.obj': fine }));
     await is('grid 10.obj', 18);
     assert.equal((await choices()).length, all.length);
     // Another one of the same name is.
-    await viewer.after('diagram', () => choose(file('grid 10.obj', meshObj(grid(4)))));
+    await viewer.after('diagram', () => choose({ 'grid 10.obj': meshObj(grid(4)) }));
     await is('grid 10.obj (2)', 32);
     await pick('grid 10.obj');
     await is('grid 10.obj', 18);
@@ -377,7 +362,7 @@ suite('the page', () => {
   test('a vertex that is nowhere is told of, and nothing complains', async () => {
     const { positions, indices } = octahedron();
     const obj = meshObj({ positions: [...positions, NaN, 0, 0], indices: [...indices, 0, 1, 6] });
-    await viewer.after('diagram', () => choose(file('a.obj', obj)));
+    await viewer.after('diagram', () => choose({ 'a.obj': obj }));
     assert.match(
       await text(viewer, '#repairs'),
       /1 triangle with a corner that is not finite, dropped/,
@@ -449,15 +434,8 @@ suite('the page', () => {
 
   test('how a model is made of its file is chosen, and told', async () => {
     const crumb = { ...grid(1), positions: grid(1).positions.map((x) => x / 10) };
-    const { positions, indices } = octahedron();
-    const torn = {
-      positions: indices.flatMap((v, i) =>
-        positions.slice(3 * v, 3 * v + 3).map((x) => x + 1e-6 * (i % 3)),
-      ),
-      indices: indices.map((_, i) => i),
-    };
-    const bytes = glb(withFlipped(apart(torn, crumb), 0));
-    await viewer.after('diagram', () => choose(file('torn.glb', bytes)));
+    const bytes = glb(withFlipped(apart(torn(octahedron(), 1e-6), crumb), 0));
+    await viewer.after('diagram', () => choose({ 'torn.glb': bytes }));
     await group(viewer, 'Model').click();
     await viewer.page.getByText('How the mesh is built').click();
     assert.match(await text(viewer, '#report'), /Components9/);
@@ -496,7 +474,7 @@ suite('the page', () => {
   });
 
   test('sites are put on every component, and where the surface bends', async () => {
-    await viewer.after('diagram', () => choose(file('two.glb', glb(apart(grid(6), octahedron())))));
+    await viewer.after('diagram', () => choose({ 'two.glb': glb(apart(grid(6), octahedron())) }));
     await viewer.after('diagram', async () => {
       await viewer.page.fill('#count', '1');
       await viewer.page.click('#sampling-form [type="submit"]');
@@ -584,17 +562,6 @@ suite('the page', () => {
     assert.match(await text(viewer, '#readout'), / · 0 from its site/);
   });
 
-  async function download(button) {
-    await viewer.page.click('#download-button');
-    const [file] = await Promise.all([
-      viewer.page.waitForEvent('download'),
-      viewer.page.click(button),
-    ]);
-    const chunks = [];
-    for await (const chunk of await file.createReadStream()) chunks.push(chunk);
-    return { name: file.suggestedFilename(), content: Buffer.concat(chunks) };
-  }
-
   test('the dual is drawn and repaired, regions in an exploded view, and both can be taken away', async () => {
     await viewer.after('diagram', () => viewer.evaluate((viewer) => viewer.sampleSites(3)));
     const shown = ['regions', 'bisectors', 'sites', 'dual'];
@@ -649,22 +616,6 @@ suite('the page', () => {
     await slide(0);
     const again = await viewer.coverage(await viewer.picture(shown));
     assert.ok(Math.abs(again - together) < 0.01 * together);
-
-    const formats = { glb: /^glTF/, obj: /^# [^]*\nf /, ply: /^ply\n/ };
-    for (const name of ['parts', 'polygons', 'dual']) {
-      for (const [ending, start] of Object.entries(formats)) {
-        const file = await download(`#download-${name}-${ending}`);
-        assert.equal(file.name, `bunny-${name}.${ending}`);
-        assert.match(file.content.toString('latin1'), start);
-      }
-    }
-  });
-
-  test('diagram and bisectors can be taken away', async () => {
-    const diagram = await download('#download-diagram-json');
-    assert.equal(JSON.parse(diagram.content).regions.length, 60);
-    const bisectors = await download('#download-bisectors-glb');
-    assert.equal(bisectors.content.subarray(0, 4).toString(), 'glTF');
   });
 
   test('a lost context is told of, and the picture returns with it', async () => {
@@ -705,7 +656,6 @@ suite('the page', () => {
 
 test('on a phone the controls are a sheet that taps and swipes open', async () => {
   const viewer = await browser.open({ viewport: { width: 390, height: 640 }, hasTouch: true });
-  await viewer.settled();
   const isOpen = () => viewer.page.locator('#panel').isVisible();
   const box = await viewer.page.locator('geodesic-voronoi').boundingBox();
   assert.ok(box.width === 390 && box.height > 300, 'the view has the width and most of the height');
@@ -730,6 +680,4 @@ test('on a phone the controls are a sheet that taps and swipes open', async () =
   const place = await viewer.freePlace();
   const added = await viewer.after('diagram', () => viewer.page.touchscreen.tap(place.x, place.y));
   assert.equal(added.regions, 61);
-  assert.deepEqual(viewer.complaints, []);
-  await viewer.close();
 });

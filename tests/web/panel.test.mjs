@@ -3,38 +3,26 @@
 // What the panel and the menus tell, and the parts of them that no other test uses.
 
 import assert from 'node:assert/strict';
-import { after, afterEach, before, beforeEach, suite, test } from 'node:test';
+import { beforeEach, suite, test } from 'node:test';
 import { glb, grid } from '../wasm/meshes.mjs';
 import { torus } from '../../web/page/samples/shapes.mjs';
-import { startBrowser } from './browser.mjs';
+import { browserForTests } from './browser.mjs';
+
+const browser = await browserForTests();
 
 suite('the panel', () => {
-  let browser;
   let viewer;
-  before(async () => {
-    browser = await startBrowser();
-  });
-  after(() => browser.stop());
   beforeEach(async () => {
     viewer = await browser.open({
       viewport: { width: 1280, height: 720 },
       permissions: ['clipboard-read', 'clipboard-write'],
     });
-    await viewer.settled();
-  });
-  afterEach(async () => {
-    assert.deepEqual(viewer.complaints, []);
-    await viewer.close();
   });
 
   const text = (selector) => viewer.page.locator(selector).textContent();
   const click = (selector) => viewer.page.click(selector);
   const open = (name, triangles) =>
-    viewer.after('diagram', () =>
-      viewer.page.setInputFiles('#files', [
-        { name, mimeType: '', buffer: Buffer.from(glb(triangles)) },
-      ]),
-    );
+    viewer.after('diagram', () => viewer.choose({ [name]: glb(triangles) }));
   const showGroup = (title) =>
     viewer.page.getByRole('heading', { name: title, exact: true }).click();
 
@@ -43,14 +31,7 @@ suite('the panel', () => {
       await viewer.page.setViewportSize({ width, height: 720 });
       await viewer.still();
       const caption = await viewer.page.locator('#caption').boundingBox();
-      const hit = await viewer.evaluate((viewer, { x, y, width, height }) => {
-        for (let px = x; px <= x + width; px += 4) {
-          for (let py = y; py <= y + height; py += 2) {
-            if (viewer.surfaceFromPoint(px, py)) return [px, py];
-          }
-        }
-        return undefined;
-      }, caption);
+      const hit = await viewer.surfaceIn(caption);
       assert.equal(hit, undefined, `in a window ${width} pixels wide`);
     }
     for (const selector of ['#cvt-play', '#cvt-move', '#count', '#sampling-form [type=submit]']) {
@@ -75,7 +56,6 @@ suite('the panel', () => {
     await viewer.after('diagram', () => viewer.page.keyboard.press('Delete'));
     assert.equal(await viewer.evaluate(({ selected }) => selected), 57, 'or the last one');
     assert.equal(await list.evaluate(({ selectedIndex }) => selectedIndex), 57);
-    for (const _ of '12') await viewer.after('diagram', () => viewer.page.click('#undo'));
   });
 
   test('what the diagram is made of and what its stages took is told', async () => {
@@ -113,11 +93,7 @@ suite('the panel', () => {
     for (let i = 0; i < indices.length; i += 3)
       lines.push(`f ${[...indices.slice(i, i + 3)].map((v) => v + 1).join(' ')}`);
     lines.push('v 9 9 9', 'v 9.1 9 9', 'v 9 9.1 9', 'v 9.1 9.1 9', 'f -4 -3 -1 -2');
-    await viewer.after('diagram', () =>
-      viewer.page.setInputFiles('#files', [
-        { name: 'scan.obj', mimeType: '', buffer: Buffer.from(lines.join('\n')) },
-      ]),
-    );
+    await viewer.after('diagram', () => viewer.choose({ 'scan.obj': lines.join('\n') }));
     const note = viewer.page.locator('#bare-note', { hasText: '“Smallest component kept”' });
     await note.waitFor();
     assert.match(
@@ -187,11 +163,7 @@ suite('the panel', () => {
     await viewer.page.locator('#status', { hasText: '60 regions, computed' }).waitFor();
     assert.deepEqual(await viewer.sites(), before);
     // What was given up is not compared with the next diagram.
-    await viewer.after('diagram', () =>
-      viewer.evaluate((viewer) => {
-        viewer.sites = { face: [0], bary: [1, 0, 0] };
-      }),
-    );
+    await viewer.after('diagram', () => viewer.set({ sites: { face: [0], bary: [1, 0, 0] } }));
     assert.equal(await viewer.page.locator('#note-text', { hasText: 'instead of' }).count(), 0);
   });
 
@@ -256,9 +228,7 @@ suite('the panel', () => {
       // Before its diagram, which begins with the event.
       viewer.addEventListener('load', () => queueMicrotask(() => viewer.cancel()), { once: true });
     });
-    await viewer.page.setInputFiles('#files', [
-      { name: 'torus.glb', mimeType: '', buffer: Buffer.from(glb(torus(320, 160))) },
-    ]);
+    await viewer.choose({ 'torus.glb': glb(torus(320, 160)) });
     const status = viewer.page.locator('#status', { hasText: 'No diagram' });
     await status.waitFor();
     await viewer.settled();
@@ -301,11 +271,7 @@ suite('the panel', () => {
   test('an error or a note takes the place of the caption', async () => {
     const caption = viewer.page.locator('#caption');
     assert.equal(await caption.isVisible(), true);
-    await viewer.after('error', () =>
-      viewer.page.setInputFiles('#files', [
-        { name: 'a.txt', mimeType: '', buffer: Buffer.from('a') },
-      ]),
-    );
+    await viewer.after('error', () => viewer.choose({ 'a.txt': 'a' }));
     assert.equal(await caption.isVisible(), false);
     await click('#error-close');
     assert.equal(await caption.isVisible(), true);
@@ -317,35 +283,31 @@ suite('the panel', () => {
     await click('#fullscreen');
     await viewer.page.waitForFunction(() => document.fullscreenElement === null);
   });
+});
 
-  test('fields that a browser fills again say what the element does', async () => {
-    // As Firefox does once the document of a reloaded page is there.
-    const fill = () => {
-      document.addEventListener('readystatechange', () => {
-        if (document.readyState !== 'interactive') return;
-        for (const field of document.querySelectorAll('#panel :is(select, [type=number])')) {
-          if ([field, field.form].some((each) => each?.autocomplete === 'off')) continue;
-          if (field.localName === 'select') field.selectedIndex = 1;
-          else field.value = '7';
-        }
-      });
-    };
-    const filled = await browser.open({ prepare: (page) => page.addInitScript(fill) });
-    await filled.settled();
-    const { told, done } = await filled.evaluate((viewer) => {
-      const fields = [
-        ...document.querySelectorAll('#panel :is(select:not([size]), [type=number])'),
-      ];
-      const chosen = (options) => [...options].find((each) => each.defaultSelected) ?? options[0];
-      const initial = ({ defaultValue, options }) => defaultValue ?? chosen(options).value;
-      const attribute = ({ id }) => viewer.getAttribute(id === 'count' ? 'sites' : id);
-      return {
-        told: fields.map(({ id, value }) => [id, value]),
-        done: fields.map((field) => [field.id, attribute(field) ?? initial(field)]),
-      };
+test('fields that a browser fills again say what the element does', async () => {
+  // As Firefox does once the document of a reloaded page is there.
+  const fill = () => {
+    document.addEventListener('readystatechange', () => {
+      if (document.readyState !== 'interactive') return;
+      for (const field of document.querySelectorAll('#panel :is(select, [type=number])')) {
+        if ([field, field.form].some((each) => each?.autocomplete === 'off')) continue;
+        if (field.localName === 'select') field.selectedIndex = 1;
+        else field.value = '7';
+      }
     });
-    assert.ok(told.length > 10);
-    assert.deepEqual(told, done);
-    await filled.close();
+  };
+  const filled = await browser.open({ prepare: (page) => page.addInitScript(fill) });
+  const { told, done } = await filled.evaluate((viewer) => {
+    const fields = [...document.querySelectorAll('#panel :is(select:not([size]), [type=number])')];
+    const chosen = (options) => [...options].find((each) => each.defaultSelected) ?? options[0];
+    const initial = ({ defaultValue, options }) => defaultValue ?? chosen(options).value;
+    const attribute = ({ id }) => viewer.getAttribute(id === 'count' ? 'sites' : id);
+    return {
+      told: fields.map(({ id, value }) => [id, value]),
+      done: fields.map((field) => [field.id, attribute(field) ?? initial(field)]),
+    };
   });
+  assert.ok(told.length > 10);
+  assert.deepEqual(told, done);
 });

@@ -3,25 +3,19 @@
 // What the picture shows, by its pixels.
 
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
+import { test } from 'node:test';
 import { glb, grid } from '../wasm/meshes.mjs';
 import { torus } from '../../web/page/samples/shapes.mjs';
-import { startBrowser } from './browser.mjs';
+import { browserForTests } from './browser.mjs';
 
-let browser;
-before(async () => {
-  browser = await startBrowser({}, { antialias: true });
-});
-after(() => browser.stop());
+const browser = await browserForTests({}, { antialias: true });
 
 /** The page with a model of our own. */
 async function opened(mesh, { sites = 12, ...options } = {}) {
   const viewer = await browser.open(options);
-  await viewer.settled();
   await viewer.evaluate((viewer, sites) => viewer.setAttribute('sites', sites), sites);
-  const file = { name: 'own.glb', mimeType: '', buffer: Buffer.from(glb(mesh)) };
   // Not just the next diagram: the page evens out the regions of its first model meanwhile.
-  await viewer.after('load', () => viewer.page.setInputFiles('#files', file));
+  await viewer.after('load', () => viewer.choose({ 'own.glb': glb(mesh) }));
   await viewer.page.waitForFunction((sites) => {
     const { status, diagram, sites: now } = document.querySelector('geodesic-voronoi');
     return status === 'ready' && diagram && now.face.length === sites;
@@ -66,7 +60,6 @@ test('dots and lines leave the colours of thousands of small regions to be seen'
   assert.equal(fewer.sites, 12);
   const large = await viewer.picture(['bisectors']);
   assert.ok((await pixels(viewer, large, 'dark')).count > 300, 'lines are as wide as ever');
-  await viewer.close();
 });
 
 test('no background is seen between cells with detail and the faces beside them', async () => {
@@ -90,22 +83,14 @@ test('no background is seen between cells with detail and the faces beside them'
     }, picture);
     assert.equal(gaps, 0, layer);
   }
-  await viewer.close();
 });
 
 test('a file of the picture is what is seen, edges that are half transparent too', async () => {
   const viewer = await browser.open();
-  await viewer.settled();
   const { count, worst } = await viewer.evaluate(async (viewer) => {
     const canvas = viewer.shadowRoot.querySelector('canvas');
-    const { width, height } = canvas;
-    const pixelsOf = (picture) => {
-      const context = new OffscreenCanvas(width, height).getContext('2d');
-      context.drawImage(picture, 0, 0);
-      return context.getImageData(0, 0, width, height).data;
-    };
-    const file = pixelsOf(await createImageBitmap(await viewer.toBlob()));
-    const seen = pixelsOf(canvas);
+    const { data: file } = await window.pixelsOf(await viewer.toBlob());
+    const { data: seen } = await window.pixelsOf(canvas);
     // Divided by little opacity, colours are less exact.
     const share = (i) => seen[i - (i % 4) + 3] / 255;
     const differences = seen.map((channel, i) => Math.abs(channel - file[i]) * share(i));
@@ -117,7 +102,6 @@ test('a file of the picture is what is seen, edges that are half transparent too
   });
   assert.ok(count > 100, `${count} pixels of edges`);
   assert.ok(worst <= 2, `they differ by ${worst} of 255`);
-  await viewer.close();
 });
 
 test('the mark of the selected site is in no file of the picture', async () => {
@@ -126,9 +110,8 @@ test('the mark of the selected site is in no file of the picture', async () => {
     [...viewer.sites.face.keys()].findIndex((i) => viewer.sitePosition(i)),
   );
   const bare = await viewer.picture(['sites']);
-  await viewer.evaluate((viewer, index) => (viewer.selected = index), index);
+  await viewer.set({ selected: index });
   assert.equal((await viewer.difference(bare, await viewer.picture(['sites']))).count, 0);
-  await viewer.close();
 });
 
 test('bisectors are dark on light pages and bright on dark ones', async () => {
@@ -138,7 +121,6 @@ test('bisectors are dark on light pages and bright on dark ones', async () => {
     const bare = await pixels(viewer, await viewer.picture(['regions']), kind);
     const lined = await pixels(viewer, await viewer.picture(['regions', 'bisectors']), kind);
     assert.ok(lined.count > bare.count + 300, `${colorScheme}: ${lined.count} after ${bare.count}`);
-    assert.deepEqual(viewer.complaints, []);
     await viewer.close();
   }
 });
@@ -147,13 +129,9 @@ test('the colours follow the theme of the page while it is open', async () => {
   const viewer = await opened(torus(60, 30));
   const light = await pixels(viewer, await viewer.picture(), 'drawn');
   await viewer.page.emulateMedia({ colorScheme: 'dark' });
-  // Pages are told with the next frame.
-  await viewer.page.evaluate(
-    () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
-  );
+  await viewer.drawn(); // Pages are told with the next frame.
   const dark = await pixels(viewer, await viewer.picture(), 'drawn');
   assert.ok(dark.lightness < 0.9 * light.lightness, `${dark.lightness} after ${light.lightness}`);
-  await viewer.close();
 });
 
 test('markers stay on the surface: none reaches beyond the silhouette', async () => {
@@ -161,7 +139,6 @@ test('markers stay on the surface: none reaches beyond the silhouette', async ()
   const before = await viewer.coverage(await viewer.picture(['regions']));
   const after = await viewer.coverage(await viewer.picture(['regions', 'sites', 'voronoi-points']));
   assert.ok(after - before < 2e-4, `${after - before} of the view`);
-  await viewer.close();
 });
 
 test('markers grow with the zoom, up to a size', async () => {
@@ -183,7 +160,6 @@ test('markers grow with the zoom, up to a size', async () => {
   await viewer.evaluate((viewer) => viewer.refit());
   const near = await marked();
   assert.ok(near > 1.5 * far, `${near} pixels each after ${far}`);
-  await viewer.close();
 });
 
 test('distances are shown with a scale in the units of the model', async () => {
@@ -221,7 +197,6 @@ test('distances are shown with a scale in the units of the model', async () => {
   await viewer.page.uncheck('#layers [value=distances]');
   await legend.waitFor({ state: 'hidden' });
   assert.equal((await viewer.difference(regions, await viewer.picture(['regions']))).count, 0);
-  await viewer.close();
 });
 
 test('the scale of distances is as short for a model of any size', async () => {
@@ -234,7 +209,6 @@ test('the scale of distances is as short for a model of any size', async () => {
     await legend.textContent(),
     /^0\d\.\d\de-\d+Distance .* a line every \d\.\d\de-\d+$/,
   );
-  await viewer.close();
 });
 
 test('the pointer shows the shortest path to the site', async () => {
@@ -245,7 +219,6 @@ test('the pointer shows the shortest path to the site', async () => {
   // The region's outline and the path; the outline is ink, the path has the colour of what is selected.
   const isAccent = (await viewer.difference(bare, await viewer.picture(['regions']), place)).there;
   assert.ok(isAccent, 'it begins under the pointer');
-  await viewer.close();
 });
 
 test('nothing is cut off near the camera, also where it looks beside the model', async () => {
@@ -254,9 +227,7 @@ test('nothing is cut off near the camera, also where it looks beside the model',
     indices: [0, 1, 2, 0, 2, 3],
   };
   const viewer = await opened(kite, { sites: 3 });
-  await viewer.evaluate((viewer) => {
-    viewer.cameraOrbit = '0deg 70deg 250% -1.2 0 0';
-  });
+  await viewer.set({ cameraOrbit: '0deg 70deg 250% -1.2 0 0' });
   const picture = await viewer.picture();
   const alpha = await viewer.evaluate((viewer, picture) => {
     const { data, width } = viewer.pictures[picture];
@@ -265,5 +236,4 @@ test('nothing is cut off near the camera, also where it looks beside the model',
     return data[4 * (Math.round(y * scale) * width + Math.round(x * scale)) + 3];
   }, picture);
   assert.equal(alpha, 255, 'the tip in front is seen');
-  await viewer.close();
 });

@@ -3,34 +3,26 @@
 // A phone in the hand: everything by fingers.
 
 import assert from 'node:assert/strict';
-import { after, afterEach, before, beforeEach, suite, test } from 'node:test';
-import { startBrowser } from './browser.mjs';
+import { beforeEach, suite, test } from 'node:test';
+import { browserForTests } from './browser.mjs';
+
+const browser = await browserForTests();
 
 suite('by fingers', () => {
-  let browser;
   let viewer;
   let touch;
-  before(async () => {
-    browser = await startBrowser();
-  });
-  after(() => browser.stop());
   beforeEach(async () => {
     viewer = await browser.open({
       viewport: { width: 390, height: 640 },
       hasTouch: true,
       isMobile: true,
     });
-    await viewer.settled();
     const session = await viewer.page.context().newCDPSession(viewer.page);
     touch = (type, ...touchPoints) =>
       session.send('Input.dispatchTouchEvent', {
         type,
         touchPoints: touchPoints.map(({ x, y }, id) => ({ x, y, id })),
       });
-  });
-  afterEach(async () => {
-    assert.deepEqual(viewer.complaints, []);
-    await viewer.close();
   });
 
   const orbit = () => viewer.evaluate(({ cameraOrbit }) => cameraOrbit);
@@ -73,10 +65,7 @@ suite('by fingers', () => {
 
     const removed = viewer.after('diagram', async () => {
       await touch('touchStart', moved);
-      await viewer.page.waitForFunction(
-        (count) => document.querySelector('geodesic-voronoi').sites.face.length === count,
-        before,
-      );
+      await viewer.haveSites(before);
       await touch('touchEnd');
     });
     await removed;
@@ -200,15 +189,8 @@ suite('by fingers', () => {
   test('buttons and sentences do not lie on the model, the sheet open or not', async () => {
     for (const isOpen of [false, true]) {
       await viewer.still();
-      const top = await viewer.evaluate((viewer) => {
-        const box = viewer.getBoundingClientRect();
-        for (let y = box.top; y < box.bottom; y += 2) {
-          for (let x = box.left; x < box.right; x += 4) {
-            if (viewer.surfaceFromPoint(x, y)) return y;
-          }
-        }
-        return undefined;
-      });
+      const view = await viewer.page.locator('geodesic-voronoi').boundingBox();
+      const { y: top } = await viewer.surfaceIn(view);
       for (const selector of isOpen ? ['#toolbar'] : ['#caption']) {
         const { y, height } = await viewer.page.locator(selector).boundingBox();
         assert.ok(

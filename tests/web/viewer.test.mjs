@@ -4,31 +4,23 @@
 
 import assert from 'node:assert/strict';
 import { suite, test } from 'node:test';
-import { fileURLToPath } from 'node:url';
 import { load } from 'geodesic-voronoi';
 import { Vector3 } from 'three';
-import { runnerImport } from 'vite';
-import { apart, bumpySphere, grid, octahedron } from '../wasm/meshes.mjs';
-
-const { DensityPaint, greatestDensity } = await viewerModule('model/density_paint');
-const { DiagramSummary } = await viewerModule('buffers/diagram_summary');
-const { framingOf } = await viewerModule('stage/framing');
-const { hexagonEnergy, rootDensityIntegral } = await viewerModule('session/hexagon_energy');
-const { sceneArrays } = await viewerModule('buffers/scene_arrays');
-const { SceneMesh } = await viewerModule('buffers/scene_mesh');
-const { cornerNormals } = await viewerModule('buffers/corner_normals');
-const { LatestTask } = await viewerModule('session/latest_task');
-const { ModelDrawing } = await viewerModule('drawing/model_drawing');
-const { ModelFrame } = await viewerModule('buffers/model_frame');
-const { RegionColours, toneColour } = await viewerModule('buffers/region_colours');
-const { changeDiagram } = await viewerModule('session/shown_diagram');
-const { SiteHistory } = await viewerModule('session/site_history');
-const { stepsBetween, without } = await viewerModule('session/site_step');
-
-async function viewerModule(name) {
-  const path = fileURLToPath(new URL(`../../web/viewer/${name}.ts`, import.meta.url));
-  return (await runnerImport(path, { configFile: false, logLevel: 'error' })).module;
-}
+import { cornerNormals } from '../../dist/viewer/buffers/corner_normals.js';
+import { DiagramSummary } from '../../dist/viewer/buffers/diagram_summary.js';
+import { ModelFrame } from '../../dist/viewer/buffers/model_frame.js';
+import { RegionColours, toneColour } from '../../dist/viewer/buffers/region_colours.js';
+import { sceneArrays } from '../../dist/viewer/buffers/scene_arrays.js';
+import { SceneMesh } from '../../dist/viewer/buffers/scene_mesh.js';
+import { ModelDrawing } from '../../dist/viewer/drawing/model_drawing.js';
+import { DensityPaint, greatestDensity } from '../../dist/viewer/model/density_paint.js';
+import { hexagonEnergy, rootDensityIntegral } from '../../dist/viewer/session/hexagon_energy.js';
+import { LatestTask } from '../../dist/viewer/session/latest_task.js';
+import { changeDiagram } from '../../dist/viewer/session/shown_diagram.js';
+import { SiteHistory } from '../../dist/viewer/session/site_history.js';
+import { stepsBetween, without } from '../../dist/viewer/session/site_step.js';
+import { framingOf } from '../../dist/viewer/stage/framing.js';
+import { apart, bumpySphere, grid, octahedron, pointAt, torn } from '../wasm/meshes.mjs';
 
 /** As much of a diagram as colouring looks at. */
 function adjacency(siteCount, pairs) {
@@ -133,22 +125,15 @@ suite('region colours', () => {
 
   test('a site keeps its tone when others come, go and change their numbers', () => {
     const colours = new RegionColours();
-    const before = colours.assign(
-      adjacency(4, [
-        [0, 1],
-        [1, 2],
-        [2, 3],
-      ]),
+    const chain = [
+      [0, 1],
+      [1, 2],
+      [2, 3],
+    ];
+    const [before, after] = [
       [1, 2, 3, 4],
-    );
-    const after = colours.assign(
-      adjacency(4, [
-        [0, 1],
-        [1, 2],
-        [2, 3],
-      ]),
       [2, 3, 4, 9],
-    );
+    ].map((ids) => colours.assign(adjacency(4, chain), ids));
     assert.deepEqual([...after.subarray(0, 3)], [...before.subarray(1)]);
   });
 
@@ -166,11 +151,6 @@ suite('region colours', () => {
 });
 
 suite('a diagram that changes', () => {
-  const single = ({ face, bary }, i) => ({
-    face: face.slice(i, i + 1),
-    bary: bary.slice(3 * i, 3 * i + 3),
-  });
-
   /** The drawings' buffers as the graphics card has them: brought up to date by what is uploaded only. */
   class Card {
     #copies = new Map();
@@ -284,8 +264,8 @@ suite('a diagram that changes', () => {
       const change = await (i % 3 === 0
         ? i % 9 === 6
           ? diagram.removeSite(count - 1)
-          : diagram.insertSite(single(places, i))
-        : diagram.moveSite((7 * i) % 60, single(places, i)));
+          : diagram.insertSite(pointAt(places, i))
+        : diagram.moveSite((7 * i) % 60, pointAt(places, i)));
       summary = summary.after(change, diagram.sites.face.length);
       drawing.changeDiagram(change, {
         diagram: {
@@ -498,11 +478,7 @@ suite('density paint', () => {
 
   test('near is what is within the radius, over seams too', () => {
     // Every triangle has vertices of its own.
-    const { positions, indices } = grid(10);
-    const mesh = sceneMesh({
-      positions: indices.flatMap((v) => positions.slice(3 * v, 3 * v + 3)),
-      indices: indices.map((_, i) => i),
-    });
+    const mesh = sceneMesh(torn(grid(10)));
     const paint = new DensityPaint(mesh);
     const hit = centreOf(mesh, 90);
     const radius = 0.4;
@@ -708,6 +684,6 @@ suite('latest task', () => {
 });
 
 test('the element can be imported where there is no DOM', async () => {
-  const { GeodesicVoronoiElement } = await viewerModule('element');
+  const { GeodesicVoronoiElement } = await import('../../dist/viewer/element.js');
   assert.equal(typeof GeodesicVoronoiElement, 'function');
 });
