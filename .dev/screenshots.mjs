@@ -130,7 +130,7 @@ async function makePoster(browser) {
   const address = await viewer.evaluate(async (viewer) => {
     viewer.style.cssText = 'width: 480px; height: 480px; padding: 0';
     await new Promise((resolve) => setTimeout(resolve, 500));
-    const blob = await viewer.toBlob('image/webp', 0.6);
+    const blob = await viewer.toBlob('image/webp', 0.45);
     return new Promise((resolve) => {
       const reader = new FileReader();
       reader.onload = () => resolve(reader.result);
