@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // node tests/bench/hostile.mjs [NAME...]: how long the native glTF reader and the command take over files
-// that are made to take long (of a processor, so that others may work beside), and how much memory. Each should be read or refused within 2 s and 1 s more
-// per 10 MB, and 300 MB and 4 times the file: what is not is marked. Linux only.
+// that are made to take long (of a processor, so that others may work beside), and how much memory. Each
+// should be read or refused within 2 s and 1 s more per 10 MB, and 300 MB and 4 times the file: what is
+// not is marked. Linux only.
 
 import { spawn, spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, statSync, symlinkSync, writeFileSync } from 'node:fs';
