@@ -217,7 +217,7 @@ suite('the page', () => {
     const place = await viewer.freePlace();
     const added = await viewer.after('diagram', () => click(place));
     assert.equal(added.regions, 61);
-    await expectError(/^more\.txt cannot/, file('more.txt', 'hello'));
+    await expectError(/^more\.txt cannot/, { 'more.txt': 'hello' });
     assert.equal(await viewer.page.locator('#count').inputValue(), '61');
   });
 
