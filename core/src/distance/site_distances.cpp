@@ -221,7 +221,7 @@ class SiteDistances::DistancesAtPoints final : public SlicedWork<std::vector<dou
         [&] { distances_.reserve(points_.size()); },
         forEach(points_, budget, kQuickRounds, [&](int i) { sortOut(i); }),
         [&] {
-          points_.erase(points_.begin() + open_.size(), points_.end());
+          points_.resize(open_.size());
           atPoints_ = field_.spread_->startDistancesAt(std::move(points_), field_.known_);
         },
         [&] { return atPoints_->step(budget); }, [&] { found_ = atPoints_->take(); },

@@ -57,7 +57,7 @@ PointDistances::PointDistances(const TriangleMesh& mesh, const SiteSet& sites,
 bool PointDistances::advance(long budget) {
   return sequence_.run([&] { distances_.reserve(points_.size()); },
                        forEach(points_, budget, kPointsPerUnit, [&](int i) { sortOut(i); }),
-                       [&] { points_.erase(points_.begin() + open_.size(), points_.end()); },
+                       [&] { points_.resize(open_.size()); },
                        [&] {
                          return byLabel_.run(
                              static_cast<int>(points_.size()), sites_.labelCount(),
