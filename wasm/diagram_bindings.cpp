@@ -145,6 +145,30 @@ class LocatedPoints final : public PointLookup {
   std::vector<double> distance_;
 };
 
+/// The place for one more site.
+class WorstRegionPoint final : public SlicedWork<Record> {
+ public:
+  /// The diagram must outlive the steps.
+  WorstRegionPoint(VoronoiHandle& voronoi, WorstRegion worst) : voronoi_(voronoi) {
+    if (voronoi.worstRegions && voronoi.worstRegions->kind() == worst) return;
+    on_ = voronoi.snapshot();
+    listing_ = WorstRegions::start(*on_.mesh, voronoi.field(), *on_.diagram, worst);
+  }
+
+  bool advance(long budget) override { return !listing_ || listing_->step(budget); }
+  double progress() const override { return listing_ ? listing_->progress() : 1; }
+  Record result() override {
+    if (listing_) voronoi_.worstRegions.emplace(listing_->take());
+    const SurfacePoint point = voronoi_.worstRegions->point();
+    return pointsRecord(voronoi_.mesh(), {&point, 1});
+  }
+
+ private:
+  VoronoiHandle& voronoi_;
+  Surface on_;
+  std::unique_ptr<SlicedWork<WorstRegions>> listing_;
+};
+
 /// `DiagramChange`: inserts, removes or moves a site. The first change makes the `DynamicDiagram`.
 class SiteChanging final : public SlicedWork<Record> {
  public:
@@ -275,9 +299,9 @@ GVD_ABI Answer* removeSite(VoronoiHandle* voronoi, int label) {
 
 /// `SurfacePoints`: one, for the worst region.
 GVD_ABI Answer* worstRegionPoint(VoronoiHandle* voronoi, Text worst) {
-  return answer([&] {
-    const SurfacePoint point = voronoi->worstRegionPoint(worstRegionOf(toView(worst)));
-    return pointsRecord(voronoi->mesh(), {&point, 1});
+  return guarded([&] {
+    return new Answer{std::make_unique<WorstRegionPoint>(*voronoi, worstRegionOf(toView(worst))),
+                      {}};
   });
 }
 

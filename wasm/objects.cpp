@@ -61,15 +61,9 @@ std::unique_ptr<SlicedWork<DynamicDiagram>> VoronoiHandle::startDynamic() const 
 /// Only now the former state is given up, because making the new one may have thrown.
 void VoronoiHandle::takeDynamic(DynamicDiagram made) {
   dynamic = std::make_unique<DynamicDiagram>(std::move(made));
+  worstRegions.reset();  // of the former distances
   distances.reset();
   sharedDistances.reset();
-}
-
-SurfacePoint VoronoiHandle::worstRegionPoint(WorstRegion worst) {
-  if (!dynamic) return WorstRegions(mesh(), field(), diagram(), worst).point();
-  if (!worstRegions || worstRegions->kind() != worst)
-    worstRegions = std::make_unique<WorstRegions>(mesh(), field(), dynamic->diagram(), worst);
-  return worstRegions->point();
 }
 
 std::vector<SurfacePoint> pointsFromInput(const TriangleMesh& mesh, const char* what, Ints face,

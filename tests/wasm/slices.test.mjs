@@ -57,6 +57,8 @@ const tasks = {
   'a density by curvature': (options) => mesh.curvatureDensity(options),
   'points located': (options) =>
     diagram.locate({ vertex: Array.from({ length: 500 }, (_, v) => v) }, options),
+  'a place in the worst region': async (options) =>
+    (await mesh.voronoi(diagram.sites)).worstRegionPoint('distortion', options),
   'a partition': (options) => diagram.partition(options),
   'a dual': (options) => diagram.dual(options),
   'the regions as polygons': (options) => diagram.dual({ primal: true, ...options }),

@@ -118,6 +118,10 @@ class WorstRegions {
   /// if one of them is that of another mesh. O(F).
   WorstRegions(const TriangleMesh& mesh, const DistanceField& distances, const Diagram& diagram,
                WorstRegion worst);
+  /// The same in steps. The diagram must outlive the work.
+  static std::unique_ptr<SlicedWork<WorstRegions>> start(const TriangleMesh& mesh,
+                                                         const DistanceField& distances,
+                                                         const Diagram& diagram, WorstRegion worst);
   /// Follows a change of the diagram; `distances` must have changed already. Takes time for the
   /// regions in `DiagramChange::labels`, and O(F).
   void follow(const DiagramChange& change);
@@ -138,15 +142,21 @@ class WorstRegions {
     int label;
     double distortion;
   };
+  class Update;
+  class Making;
 
-  void followDistortion(const DiagramChange& change);
+  WorstRegions(const TriangleMesh& mesh, const DistanceField& distances, WorstRegion worst);
+  void measureFace(int f);
+  void addCell(const Diagram& part, int cell);
 
-  const TriangleMesh& mesh_;
-  const DistanceField& distances_;
+  const TriangleMesh* mesh_;
+  const DistanceField* distances_;
   WorstRegion worst_;
   std::vector<Region> regions_;
   std::vector<int> faceLabel_;
-  std::vector<std::vector<Share>> shares_;  ///< per face; none if the worst is found by size
+  // Per face; none if the worst is found by size.
+  std::vector<double> distortion_;          ///< of faces that one region owns whole
+  std::vector<std::vector<Share>> shares_;  ///< of mixed faces
 };
 
 /// `count` points: the first at random, uniform by area, each further one where

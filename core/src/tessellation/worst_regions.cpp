@@ -6,13 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "base/plane.h"
 #include "base/sliced_loop.h"
-#include "diagram/diagram_pieces.h"
 #include "diagram/given_diagram.h"
 #include "distance/labelled_distances.h"
 #include "distance/path_points.h"
@@ -67,51 +68,129 @@ double areaOfCell(const TriangleMesh& mesh, const Diagram& diagram, int cell) {
 }  // namespace
 
 WorstRegions::WorstRegions(const TriangleMesh& mesh, const DistanceField& distances,
-                           const Diagram& diagram, WorstRegion worst)
-    : mesh_(mesh),
-      distances_(distances),
-      worst_(worst),
-      faceLabel_(mesh.faceCount(), Diagram::kUnreachable),
-      shares_(worst == WorstRegion::kDistortion ? mesh.faceCount() : 0) {
-  requireFaces(mesh, diagram);
-  requireMesh(mesh, distances);
-  follow(changeTo(diagram));
+                           WorstRegion worst)
+    : mesh_(&mesh), distances_(&distances), worst_(worst) {}
+
+/// A change of the diagram that the regions follow, in slices.
+class WorstRegions::Update {
+ public:
+  /// Takes what has changed, as in a `DiagramChange`; it must outlive this.
+  Update(std::span<const int> labels, std::span<const int> faces, const Diagram& part)
+      : labels_(labels), faces_(faces), part_(part) {}
+
+  /// True when the regions have followed.
+  bool run(WorstRegions& regions, long& budget) {
+    const bool measures = regions.worst_ == WorstRegion::kDistortion;
+    return sequence_.run(
+        [&] {
+          const std::size_t count = labels_.empty() ? 0 : labels_.back() + 1;
+          if (regions.regions_.size() < count) regions.regions_.resize(count);
+          isChanged_.resize(regions.regions_.size());
+        },
+        forEach(labels_, budget, 8,
+                [&](int i) {
+                  isChanged_[labels_[i]] = true;
+                  regions.regions_[labels_[i]] = {part_.regionArea[i], 0, {}};
+                }),
+        forEach(part_.loops.size(), budget, 1,
+                [&](int i) {
+                  for (const int point : part_.loops[i])
+                    regions.regions_[part_.loopLabel[i]].outline.push_back(part_.points[point]);
+                }),
+        forEach(faces_, budget, measures ? 4 : kQuickRounds,
+                [&](int i) {
+                  regions.faceLabel_[faces_[i]] = part_.faceLabel[i];
+                  if (measures) regions.measureFace(faces_[i]);
+                }),
+        forEach(measures ? part_.cells.size() : 0, budget, 2,
+                [&](int c) { regions.addCell(part_, c); }),
+        forEach(regions.distortion_, budget, kQuickRounds, [&](int f) { addUp(regions, f); }),
+        forEach(labels_, budget, kQuickRounds, [&](int i) {
+          Region& region = regions.regions_[labels_[i]];
+          if (region.distortion <= kFlatDistortion * region.area) region.distortion = 0;
+        }));
+  }
+  double progress() const { return sequence_.progress(); }
+
+ private:
+  /// Adds the distortion of a face to that of its regions that have changed.
+  void addUp(WorstRegions& regions, int f) {
+    const auto add = [&](int label, double distortion) {
+      if (isChanged_[label]) regions.regions_[label].distortion += distortion;
+    };
+    if (regions.faceLabel_[f] >= 0) add(regions.faceLabel_[f], regions.distortion_[f]);
+    for (const auto& [label, distortion] : regions.shares_[f]) add(label, distortion);
+  }
+
+  const std::span<const int> labels_, faces_;
+  const Diagram& part_;
+  SlicedSequence sequence_;
+  std::vector<char> isChanged_;  ///< labels
+};
+
+/// The regions of a whole diagram.
+class WorstRegions::Making final : public SlicedWork<WorstRegions> {
+ public:
+  Making(const TriangleMesh& mesh, const DistanceField& distances, const Diagram& diagram,
+         WorstRegion worst)
+      : regions_(mesh, distances, worst), diagram_(diagram) {
+    requireFaces(mesh, diagram);
+    requireMesh(mesh, distances);
+  }
+
+  bool advance(long budget) override {
+    const auto faceCount = static_cast<std::size_t>(regions_.mesh_->faceCount());
+    const std::size_t measured = regions_.worst_ == WorstRegion::kDistortion ? faceCount : 0;
+    return sequence_.run(
+        [&] { return fillInSlices(regions_.faceLabel_, faceCount, Diagram::kUnreachable, budget); },
+        [&] { return fillInSlices(regions_.distortion_, measured, 0., budget); },
+        [&] { return fillInSlices(regions_.shares_, measured, {}, budget); },
+        [&] {
+          labels_.resize(diagram_.siteCount);
+          std::iota(labels_.begin(), labels_.end(), 0);
+          faces_.resize(faceCount);
+          std::iota(faces_.begin(), faces_.end(), 0);
+          update_.emplace(labels_, faces_, diagram_);
+        },
+        [&] { return update_->run(regions_, budget); });
+  }
+  double progress() const override { return update_ ? update_->progress() : 0; }
+  WorstRegions result() override { return std::move(regions_); }
+
+ private:
+  WorstRegions regions_;
+  const Diagram& diagram_;
+  SlicedSequence sequence_;
+  std::vector<int> labels_, faces_;
+  std::optional<Update> update_;
+};
+
+std::unique_ptr<SlicedWork<WorstRegions>> WorstRegions::start(const TriangleMesh& mesh,
+                                                              const DistanceField& distances,
+                                                              const Diagram& diagram,
+                                                              WorstRegion worst) {
+  return std::make_unique<Making>(mesh, distances, diagram, worst);
 }
+
+WorstRegions::WorstRegions(const TriangleMesh& mesh, const DistanceField& distances,
+                           const Diagram& diagram, WorstRegion worst)
+    : WorstRegions(finished(start(mesh, distances, diagram, worst))) {}
 
 void WorstRegions::follow(const DiagramChange& change) {
-  if (!change.labels.empty())
-    regions_.resize(std::max<size_t>(regions_.size(), change.labels.back() + 1));
-  const Diagram& part = change.part;
-  for (size_t i = 0; i < change.labels.size(); ++i)
-    regions_[change.labels[i]] = {part.regionArea[i], 0, {}};
-  for (int i = 0; i < part.loops.size(); ++i)
-    for (const int point : part.loops[i])
-      regions_[part.loopLabel[i]].outline.push_back(part.points[point]);
-  for (size_t i = 0; i < change.faces.size(); ++i) faceLabel_[change.faces[i]] = part.faceLabel[i];
-  if (worst_ == WorstRegion::kDistortion) followDistortion(change);
+  long budget = kUnlimited;
+  Update(change.labels, change.faces, change.part).run(*this, budget);
 }
 
-void WorstRegions::followDistortion(const DiagramChange& change) {
-  const Diagram& part = change.part;
-  const auto add = [&](int face, int label, double area) {
-    shares_[face].push_back({label, area * distortionOf(mesh_, distances_, label, face)});
-  };
-  for (const int f : change.faces) {
-    shares_[f].clear();
-    if (faceLabel_[f] >= 0) add(f, faceLabel_[f], mesh_.faceArea(f));
-  }
-  for (int c = 0; c < part.cells.size(); ++c)
-    add(part.cellFace[c], part.cellLabel[c], areaOfCell(mesh_, part, c));
+void WorstRegions::measureFace(int f) {
+  shares_[f].clear();
+  if (faceLabel_[f] >= 0)
+    distortion_[f] = mesh_->faceArea(f) * distortionOf(*mesh_, *distances_, faceLabel_[f], f);
+}
 
-  std::vector<char> isChanged(regions_.size());
-  for (const int label : change.labels) isChanged[label] = true;
-  for (const std::vector<Share>& shares : shares_)
-    for (const auto& [label, distortion] : shares)
-      if (isChanged[label]) regions_[label].distortion += distortion;
-  for (const int label : change.labels) {
-    Region& region = regions_[label];
-    if (region.distortion <= kFlatDistortion * region.area) region.distortion = 0;
-  }
+void WorstRegions::addCell(const Diagram& part, int cell) {
+  const int f = part.cellFace[cell], label = part.cellLabel[cell];
+  shares_[f].push_back(
+      {label, areaOfCell(*mesh_, part, cell) * distortionOf(*mesh_, *distances_, label, f)});
 }
 
 SurfacePoint WorstRegions::point() const {
@@ -131,12 +210,12 @@ SurfacePoint WorstRegions::point() const {
     most = distance;
     farthest = p;
   };
-  for (int v = 0; v < mesh_.vertexCount(); ++v)
-    if (const LabelledDistance d = nearestOf(distances_.at(v)); d.label == label)
-      offer(pointAtVertex(mesh_, v), d.distance);
-  const auto nearestAt = [&](int v) { return nearestOf(distances_.at(v)).distance; };
+  for (int v = 0; v < mesh_->vertexCount(); ++v)
+    if (const LabelledDistance d = nearestOf(distances_->at(v)); d.label == label)
+      offer(pointAtVertex(*mesh_, v), d.distance);
+  const auto nearestAt = [&](int v) { return nearestOf(distances_->at(v)).distance; };
   for (const SurfacePoint& p : worst->outline)
-    if (distanceOverCorners(mesh_, p, nearestAt) > most) offer(p, distances_.nearest(p).distance);
+    if (distanceOverCorners(*mesh_, p, nearestAt) > most) offer(p, distances_->nearest(p).distance);
   return farthest;
 }
 
@@ -152,17 +231,23 @@ class WorstFirstSampling final : public SlicedWork<std::vector<SurfacePoint>> {
         points_(sampleUniform(mesh, std::min(count, 1), seed)) {}
 
   bool advance(long budget) override {
+    if (count_ == 0) return true;
     return sequence_.run(
         [&] {
-          if (count_ == 0) return true;
           if (!making_) making_ = DynamicDiagram::start(mesh_, points_);
           return making_->step(budget);
         },
         [&] {
-          if (count_ == 0) return;
           diagram_ = making_->take();
           making_.reset();
-          regions_.emplace(mesh_, diagram_->distances(), diagram_->diagram(), worst_);
+          first_ = diagram_->diagram();
+          listing_ = WorstRegions::start(mesh_, diagram_->distances(), first_, worst_);
+        },
+        [&] { return listing_->step(budget); },
+        [&] {
+          regions_ = listing_->take();
+          listing_.reset();
+          first_ = {};
         },
         [&] { return insertOthers(budget); });
   }
@@ -194,6 +279,8 @@ class WorstFirstSampling final : public SlicedWork<std::vector<SurfacePoint>> {
   SlicedSequence sequence_;
   std::unique_ptr<SlicedWork<DynamicDiagram>> making_;
   std::optional<DynamicDiagram> diagram_;
+  Diagram first_;  ///< of the first point
+  std::unique_ptr<SlicedWork<WorstRegions>> listing_;
   std::optional<WorstRegions> regions_;
   std::unique_ptr<SlicedWork<DiagramChange>> insertion_;
 };
