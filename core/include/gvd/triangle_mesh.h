@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -271,11 +272,10 @@ class TriangleMesh {
   std::vector<int> inputFace_, inputVertex_;  ///< `inputFace_` is ascending
   std::vector<char> flipped_;
   int inputFaceCount_ = 0;
-  /// An input triangle that was dropped, and a halfedge that leaves each of its corners, all on one
-  /// face.
+  /// An input triangle that was dropped, and the corners of a face at the places of its own.
   struct DroppedTriangle {
-    int input;
-    std::array<int, 3> halfedges;
+    int input, face;
+    std::array<std::int8_t, 3> corners;
   };
   std::vector<DroppedTriangle> dropped_;  ///< ascending; those without such a face are left out
   std::vector<int> vertexOfInput_;        ///< a halfedge leaving the vertex's place, or -1

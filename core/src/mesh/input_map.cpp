@@ -2,6 +2,8 @@
 #include "mesh/input_map.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 
 namespace gvd {
 namespace {
@@ -38,6 +40,7 @@ bool InputMap::step(long& budget) {
       forDegenerate(4, [&](int t, const auto& ends) { kept[t] = faceWith_.at(ends); }),
       [&] { faceWith_.clear(); }, [&] { return fillInSlices(out_.ofVertex, vertices, -1, budget); },
       [&] { return fillInSlices(ofRepresentative_, vertices, -1, budget); },
+      [&] { out_.dropped.reserve(triangles - faces.size()); },
       forEach(triangles, budget, 8, [&](int t) { mapTriangle(t); }),
       forEach(vertices, budget, kQuickRounds, [&](int v) { mapVertex(v); }));
 }
@@ -51,16 +54,16 @@ void InputMap::mapTriangle(int t) {
   const int face = selection_.kept[t];
   if (face < 0) return;
   const Corners& corners = selection_.faces[face].vertices;
-  Corners halfedges;
+  std::array<std::int8_t, 3> own;
   for (int i = 0; i < 3; ++i) {
     const int vertex = triangles_[3 * static_cast<std::size_t>(t) + i];
     const int representative = representative_[vertex];
     const auto at = std::find(corners.begin(), corners.end(), representative);
-    halfedges[i] = 3 * face + static_cast<int>(at - corners.begin());
+    own[i] = static_cast<std::int8_t>(at - corners.begin());
     for (int* slot : {&out_.ofVertex[vertex], &ofRepresentative_[representative]})
-      if (*slot < 0) *slot = halfedges[i];
+      if (*slot < 0) *slot = 3 * face + own[i];
   }
-  if (selection_.input[face] != t) out_.dropped.push_back({t, halfedges});
+  if (selection_.input[face] != t) out_.dropped.push_back({t, face, own});
 }
 
 void InputMap::mapVertex(int v) {

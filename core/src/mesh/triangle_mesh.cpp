@@ -64,8 +64,10 @@ std::array<int, 3> TriangleMesh::halfedgesOfInput(int triangle) const {
   const auto dropped =
       std::lower_bound(dropped_.begin(), dropped_.end(), triangle,
                        [](const DroppedTriangle& each, int input) { return each.input < input; });
-  return dropped != dropped_.end() && dropped->input == triangle ? dropped->halfedges
-                                                                 : std::array{-1, -1, -1};
+  if (dropped == dropped_.end() || dropped->input != triangle) return {-1, -1, -1};
+  const int first = 3 * dropped->face;
+  const auto& [a, b, c] = dropped->corners;
+  return {first + a, first + b, first + c};
 }
 
 SurfacePoint TriangleMesh::fromInput(const SurfacePoint& p) const {
