@@ -272,13 +272,11 @@ class TriangleMesh {
   std::vector<int> inputFace_, inputVertex_;  ///< `inputFace_` is ascending
   std::vector<char> flipped_;
   int inputFaceCount_ = 0;
-  /// An input triangle that was dropped, and the corners of a face at the places of its own.
-  struct DroppedTriangle {
-    int input, face;
-    std::array<std::int8_t, 3> corners;
-  };
-  std::vector<DroppedTriangle> dropped_;  ///< ascending; those without such a face are left out
-  std::vector<int> vertexOfInput_;        ///< a halfedge leaving the vertex's place, or -1
+  /// The dropped triangles of the input, ascending: a face that has the places of their corners, or
+  /// -1, and the corners that these places are, two bits each.
+  std::vector<int> droppedFace_;
+  std::vector<std::uint8_t> droppedCorners_;
+  std::vector<int> vertexOfInput_;  ///< a halfedge leaving the vertex's place, or -1
   MeshRepairs repairs_;
   MeshTopology topology_;
 };

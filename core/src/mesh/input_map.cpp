@@ -2,7 +2,6 @@
 #include "mesh/input_map.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 
 namespace gvd {
@@ -38,10 +37,16 @@ bool InputMap::step(long& budget) {
                 offer(tailOf(faces, h), tipOf(faces, h), h / 3);
               }),
       forDegenerate(4, [&](int t, const auto& ends) { kept[t] = faceWith_.at(ends); }),
-      [&] { faceWith_.clear(); }, [&] { return fillInSlices(out_.ofVertex, vertices, -1, budget); },
+      [&] { faceWith_.clear(); },
+      [&] { return fillInSlices(out_.halfedgeOfVertex, vertices, -1, budget); },
       [&] { return fillInSlices(ofRepresentative_, vertices, -1, budget); },
-      [&] { out_.dropped.reserve(triangles - faces.size()); },
+      [&] { out_.droppedCorners.reserve(triangles - faces.size()); },
       forEach(triangles, budget, 8, [&](int t) { mapTriangle(t); }),
+      [&] {
+        kept.resize(out_.droppedCorners.size());
+        kept.shrink_to_fit();
+        out_.droppedFace = std::move(kept);
+      },
       forEach(vertices, budget, kQuickRounds, [&](int v) { mapVertex(v); }));
 }
 
@@ -52,23 +57,25 @@ void InputMap::offer(int a, int b, int face) {
 
 void InputMap::mapTriangle(int t) {
   const int face = selection_.kept[t];
-  if (face < 0) return;
-  const Corners& corners = selection_.faces[face].vertices;
-  std::array<std::int8_t, 3> own;
-  for (int i = 0; i < 3; ++i) {
+  int corners = 0;
+  for (int i = 0; face >= 0 && i < 3; ++i) {
     const int vertex = triangles_[3 * static_cast<std::size_t>(t) + i];
     const int representative = representative_[vertex];
-    const auto at = std::find(corners.begin(), corners.end(), representative);
-    own[i] = static_cast<std::int8_t>(at - corners.begin());
-    for (int* slot : {&out_.ofVertex[vertex], &ofRepresentative_[representative]})
-      if (*slot < 0) *slot = 3 * face + own[i];
+    const Corners& ofFace = selection_.faces[face].vertices;
+    const auto at = std::find(ofFace.begin(), ofFace.end(), representative);
+    const int corner = static_cast<int>(at - ofFace.begin());
+    for (int* slot : {&out_.halfedgeOfVertex[vertex], &ofRepresentative_[representative]})
+      if (*slot < 0) *slot = 3 * face + corner;
+    corners |= corner << (2 * i);
   }
-  if (selection_.input[face] != t) out_.dropped.push_back({t, face, own});
+  if (face >= 0 && selection_.input[face] == t) return;
+  selection_.kept[out_.droppedCorners.size()] = face;
+  out_.droppedCorners.push_back(static_cast<std::uint8_t>(corners));
 }
 
 void InputMap::mapVertex(int v) {
   const int representative = representative_[v];
-  int& halfedge = out_.ofVertex[v];
+  int& halfedge = out_.halfedgeOfVertex[v];
   if (halfedge < 0 && representative >= 0) halfedge = ofRepresentative_[representative];
   if (halfedge < 0)
     ++repairs_.isolatedVertices;

@@ -3,6 +3,7 @@
 // Where the input's triangles and vertices are found in a `TriangleMesh`.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <utility>
 #include <vector>
@@ -21,13 +22,14 @@ namespace gvd {
 /// isolated vertices. In slices, O(n log n) in the number of degenerate triangles.
 class InputMap {
  public:
-  struct Halfedges {
-    std::vector<TriangleMesh::DroppedTriangle> dropped;  ///< the triangles that have some
-    std::vector<int> ofVertex;
+  struct Result {
+    std::vector<int> droppedFace;  ///< as in `TriangleMesh`
+    std::vector<std::uint8_t> droppedCorners;
+    std::vector<int> halfedgeOfVertex;
   };
 
   /// `triangles` and `representative` are the input's, `selection` the mesh's faces, their vertices
-  /// still representatives. All must outlive this.
+  /// still representatives; its list `kept` becomes `droppedFace`. All must outlive this.
   InputMap(const std::vector<int>& triangles, const std::vector<int>& representative,
            Selection& selection, MeshRepairs& repairs)
       : triangles_(triangles),
@@ -35,7 +37,7 @@ class InputMap {
         selection_(selection),
         repairs_(repairs) {}
   bool step(long& budget);
-  Halfedges take() { return std::move(out_); }
+  Result take() { return std::move(out_); }
 
  private:
   WeldedTriangles welded() const { return {triangles_, representative_}; }
@@ -51,7 +53,7 @@ class InputMap {
   SlicedSequence sequence_;
   std::map<std::pair<int, int>, int> faceWith_;  ///< by the positions of a degenerate triangle
   std::vector<int> ofRepresentative_;
-  Halfedges out_;
+  Result out_;
 };
 
 }  // namespace gvd

@@ -178,9 +178,10 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
 
   /// The faces and their input triangles become the mesh's; the input is not needed any more.
   void takeFaces() {
-    InputMap::Halfedges halfedges = taken(mapping_);
-    mesh_.dropped_ = std::move(halfedges.dropped);
-    mesh_.vertexOfInput_ = std::move(halfedges.ofVertex);
+    InputMap::Result map = taken(mapping_);
+    mesh_.droppedFace_ = std::move(map.droppedFace);
+    mesh_.droppedCorners_ = std::move(map.droppedCorners);
+    mesh_.vertexOfInput_ = std::move(map.halfedgeOfVertex);
     mesh_.inputFaceCount_ = static_cast<int>(triangles_.size() / 3);
     release(triangles_);
     release(representative_);

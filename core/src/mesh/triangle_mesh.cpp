@@ -56,18 +56,14 @@ std::string TriangleMesh::faultOfPoint(const SurfacePoint& p) const {
 /// A halfedge that leaves each corner of an input triangle, all on one face; -1 if there is none.
 std::array<int, 3> TriangleMesh::halfedgesOfInput(int triangle) const {
   const auto face = std::lower_bound(inputFace_.begin(), inputFace_.end(), triangle);
-  if (face != inputFace_.end() && *face == triangle) {
-    const int f = static_cast<int>(face - inputFace_.begin()), first = 3 * f;
-    return isFlipped(f) ? std::array{first, first + 2, first + 1}
-                        : std::array{first, first + 1, first + 2};
-  }
-  const auto dropped =
-      std::lower_bound(dropped_.begin(), dropped_.end(), triangle,
-                       [](const DroppedTriangle& each, int input) { return each.input < input; });
-  if (dropped == dropped_.end() || dropped->input != triangle) return {-1, -1, -1};
-  const int first = 3 * dropped->face;
-  const auto& [a, b, c] = dropped->corners;
-  return {first + a, first + b, first + c};
+  const int f = static_cast<int>(face - inputFace_.begin());
+  if (face != inputFace_.end() && *face == triangle)
+    return isFlipped(f) ? std::array{3 * f, 3 * f + 2, 3 * f + 1}
+                        : std::array{3 * f, 3 * f + 1, 3 * f + 2};
+  const int dropped = triangle - f;  // f triangles before it became faces
+  if (droppedFace_[dropped] < 0) return {-1, -1, -1};
+  const int first = 3 * droppedFace_[dropped], corners = droppedCorners_[dropped];
+  return {first + (corners & 3), first + (corners >> 2 & 3), first + (corners >> 4)};
 }
 
 SurfacePoint TriangleMesh::fromInput(const SurfacePoint& p) const {

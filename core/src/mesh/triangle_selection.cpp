@@ -28,7 +28,7 @@ bool TriangleSelection::step(long& budget) {
       [&] { return byLowestCorner_.run(count, vertexCount_, lowestCorner, budget); },
       [&] {
         return byLowestCorner_.visitGroups(
-            [&](std::span<const int> group) { findOriginals(group); }, budget);
+            [&](std::span<int> group) { findOriginals(group); }, budget);
       },
       [&] {
         byLowestCorner_ = {};
@@ -48,17 +48,21 @@ void TriangleSelection::count(int t) {
 
 /// Notes for each triangle the first triangle with the same three corners, in any order. All given
 /// ones have the same lowest corner.
-void TriangleSelection::findOriginals(std::span<const int> triangles) {
-  byCorners_.clear();
-  for (const int t : triangles) {
-    Corners corners = welded_[t];
-    std::sort(corners.begin(), corners.end());
-    byCorners_.push_back({corners[1], corners[2], t});
-  }
-  visitSame(byCorners_, [&](std::span<const KeyedItem> run) {
-    for (const auto& [middle, highest, t] : run) out_.kept[t] = run.front()[2];
-    ++originals_;
+void TriangleSelection::findOriginals(std::span<int> triangles) {
+  const auto otherCorners = [&](int t) {
+    const auto [a, b, c] = welded_[t];
+    const int lowest = std::min({a, b, c}), highest = std::max({a, b, c});
+    return std::pair(a ^ b ^ c ^ lowest ^ highest, highest);
+  };
+  std::sort(triangles.begin(), triangles.end(), [&](int a, int b) {
+    return std::pair(otherCorners(a), a) < std::pair(otherCorners(b), b);
   });
+  forEachRun(
+      triangles, [&](int a, int b) { return otherCorners(a) == otherCorners(b); },
+      [&](std::span<const int> run) {
+        for (const int t : run) out_.kept[t] = run.front();
+        ++originals_;
+      });
 }
 
 void TriangleSelection::keep(int t) {

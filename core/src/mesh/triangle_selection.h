@@ -38,7 +38,7 @@ class TriangleSelection {
 
  private:
   void count(int t);
-  void findOriginals(std::span<const int> triangles);
+  void findOriginals(std::span<int> triangles);
   void keep(int t);
   void requireAny() const;
 
@@ -48,8 +48,6 @@ class TriangleSelection {
 
   SlicedSequence sequence_;
   Grouping byLowestCorner_;
-  /// Of the triangles with one lowest corner: the two others, ascending, and the triangle.
-  std::vector<KeyedItem> byCorners_;
   std::size_t originals_ = 0;
   Selection out_;
 };
