@@ -123,40 +123,37 @@ class WorstRegions {
                                                          const DistanceField& distances,
                                                          const Diagram& diagram, WorstRegion worst);
   /// Follows a change of the diagram; `distances` must have changed already. Takes time for the
-  /// regions in `DiagramChange::labels`, and O(F).
+  /// regions in `DiagramChange::labels`, and a little for each label.
   void follow(const DiagramChange& change);
   /// The place for one more site: in a component without a site, if there is one, otherwise the
-  /// vertex or outline point of the worst region that is farthest from its site. O(F).
+  /// vertex or outline point of the worst region that is farthest from its site. Takes time for
+  /// that region, and a little for each face and label.
   SurfacePoint point() const;
   /// The criterion for the worst region.
   WorstRegion kind() const { return worst_; }
 
  private:
+  /// A face that is wholly or in part in a region.
+  struct Share {
+    int face;
+    double distortion;  ///< 0 if the worst is found by size
+  };
   struct Region {
     double area = 0;
     double distortion = 0;
+    std::vector<Share> shares;  ///< ascending by face
     std::vector<SurfacePoint> outline;
-  };
-  /// The share of one label in a face.
-  struct Share {
-    int label;
-    double distortion;
   };
   class Update;
   class Making;
 
   WorstRegions(const TriangleMesh& mesh, const DistanceField& distances, WorstRegion worst);
-  void measureFace(int f);
-  void addCell(const Diagram& part, int cell);
 
   const TriangleMesh* mesh_;
   const DistanceField* distances_;
   WorstRegion worst_;
   std::vector<Region> regions_;
   std::vector<int> faceLabel_;
-  // Per face; none if the worst is found by size.
-  std::vector<double> distortion_;          ///< of faces that one region owns whole
-  std::vector<std::vector<Share>> shares_;  ///< of mixed faces
 };
 
 /// `count` points: the first at random, uniform by area, each further one where

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <numeric>
 #include <optional>
@@ -79,53 +80,73 @@ class WorstRegions::Update {
       : labels_(labels), faces_(faces), part_(part) {}
 
   /// True when the regions have followed.
-  bool run(WorstRegions& regions, long& budget) {
-    const bool measures = regions.worst_ == WorstRegion::kDistortion;
-    return sequence_.run(
-        [&] {
-          const std::size_t count = labels_.empty() ? 0 : labels_.back() + 1;
-          if (regions.regions_.size() < count) regions.regions_.resize(count);
-          isChanged_.resize(regions.regions_.size());
-        },
-        forEach(labels_, budget, 8,
-                [&](int i) {
-                  isChanged_[labels_[i]] = true;
-                  regions.regions_[labels_[i]] = {part_.regionArea[i], 0, {}};
-                }),
-        forEach(part_.loops.size(), budget, 1,
-                [&](int i) {
-                  for (const int point : part_.loops[i])
-                    regions.regions_[part_.loopLabel[i]].outline.push_back(part_.points[point]);
-                }),
-        forEach(faces_, budget, measures ? 4 : kQuickRounds,
-                [&](int i) {
-                  regions.faceLabel_[faces_[i]] = part_.faceLabel[i];
-                  if (measures) regions.measureFace(faces_[i]);
-                }),
-        forEach(measures ? part_.cells.size() : 0, budget, 2,
-                [&](int c) { regions.addCell(part_, c); }),
-        forEach(regions.distortion_, budget, kQuickRounds, [&](int f) { addUp(regions, f); }),
-        forEach(labels_, budget, kQuickRounds, [&](int i) {
-          Region& region = regions.regions_[labels_[i]];
-          if (region.distortion <= kFlatDistortion * region.area) region.distortion = 0;
-        }));
+  bool run(WorstRegions& of, long& budget) {
+    return sequence_.run([&] { beginWith(of.regions_); },
+                         forEach(labels_, budget, 8, [&](int i) { clear(i, of.regions_); }),
+                         forEach(part_.loops.size(), budget, 1,
+                                 [&](int i) { addOutline(i, of.regions_[part_.loopLabel[i]]); }),
+                         forEach(faces_, budget, 4, [&](int i) { addShares(i, of); }),
+                         forEach(labels_, budget, 4, [&](int i) { sumUp(i, of.regions_); }));
   }
   double progress() const { return sequence_.progress(); }
 
  private:
-  /// Adds the distortion of a face to that of its regions that have changed.
-  void addUp(WorstRegions& regions, int f) {
-    const auto add = [&](int label, double distortion) {
-      if (isChanged_[label]) regions.regions_[label].distortion += distortion;
+  void beginWith(std::vector<Region>& regions) {
+    const std::size_t count = labels_.empty() ? 0 : labels_.back() + 1;
+    if (regions.size() < count) regions.resize(count);
+    keptShares_.resize(labels_.size());
+    isChanged_.resize(regions.size());
+    for (const int label : labels_) isChanged_[label] = true;
+  }
+
+  /// Takes all from a region but its shares in faces that have not changed.
+  void clear(int i, std::vector<Region>& regions) {
+    Region& region = regions[labels_[i]];
+    region = {part_.regionArea[i], 0, std::move(region.shares), {}};
+    auto face = faces_.begin();
+    const auto isOutdated = [&](const Share& share) {
+      while (face != faces_.end() && *face < share.face) ++face;
+      return face != faces_.end() && *face == share.face;
     };
-    if (regions.faceLabel_[f] >= 0) add(regions.faceLabel_[f], regions.distortion_[f]);
-    for (const auto& [label, distortion] : regions.shares_[f]) add(label, distortion);
+    std::erase_if(region.shares, isOutdated);
+    keptShares_[i] = region.shares.size();
+  }
+
+  void addOutline(int loop, Region& region) {
+    for (const int point : part_.loops[loop]) region.outline.push_back(part_.points[point]);
+  }
+
+  void addShares(int i, WorstRegions& of) {
+    const int face = faces_[i], label = part_.faceLabel[i];
+    of.faceLabel_[face] = label;
+    if (label >= 0) addShare(face, label, of.mesh_->faceArea(face), of);
+    for (; nextCell_ < part_.cells.size() && part_.cellFace[nextCell_] == face; ++nextCell_)
+      addShare(face, part_.cellLabel[nextCell_], areaOfCell(*of.mesh_, part_, nextCell_), of);
+  }
+
+  void addShare(int face, int label, double area, WorstRegions& of) {
+    if (!isChanged_[label]) return;
+    const double distortion = of.worst_ == WorstRegion::kDistortion
+                                  ? area * distortionOf(*of.mesh_, *of.distances_, label, face)
+                                  : 0;
+    of.regions_[label].shares.push_back({face, distortion});
+  }
+
+  void sumUp(int i, std::vector<Region>& regions) {
+    Region& region = regions[labels_[i]];
+    const auto added = region.shares.begin() + static_cast<std::ptrdiff_t>(keptShares_[i]);
+    std::inplace_merge(region.shares.begin(), added, region.shares.end(),
+                       [](const Share& a, const Share& b) { return a.face < b.face; });
+    for (const Share& share : region.shares) region.distortion += share.distortion;
+    if (region.distortion <= kFlatDistortion * region.area) region.distortion = 0;
   }
 
   const std::span<const int> labels_, faces_;
   const Diagram& part_;
   SlicedSequence sequence_;
-  std::vector<char> isChanged_;  ///< labels
+  std::vector<char> isChanged_;          ///< per label
+  std::vector<std::size_t> keptShares_;  ///< per changed label, their number; new ones follow
+  int nextCell_ = 0;
 };
 
 /// The regions of a whole diagram.
@@ -139,12 +160,9 @@ class WorstRegions::Making final : public SlicedWork<WorstRegions> {
   }
 
   bool advance(long budget) override {
-    const auto faceCount = static_cast<std::size_t>(regions_.mesh_->faceCount());
-    const std::size_t measured = regions_.worst_ == WorstRegion::kDistortion ? faceCount : 0;
+    const int faceCount = regions_.mesh_->faceCount();
     return sequence_.run(
         [&] { return fillInSlices(regions_.faceLabel_, faceCount, Diagram::kUnreachable, budget); },
-        [&] { return fillInSlices(regions_.distortion_, measured, 0., budget); },
-        [&] { return fillInSlices(regions_.shares_, measured, {}, budget); },
         [&] {
           labels_.resize(diagram_.siteCount);
           std::iota(labels_.begin(), labels_.end(), 0);
@@ -181,18 +199,6 @@ void WorstRegions::follow(const DiagramChange& change) {
   Update(change.labels, change.faces, change.part).run(*this, budget);
 }
 
-void WorstRegions::measureFace(int f) {
-  shares_[f].clear();
-  if (faceLabel_[f] >= 0)
-    distortion_[f] = mesh_->faceArea(f) * distortionOf(*mesh_, *distances_, faceLabel_[f], f);
-}
-
-void WorstRegions::addCell(const Diagram& part, int cell) {
-  const int f = part.cellFace[cell], label = part.cellLabel[cell];
-  shares_[f].push_back(
-      {label, areaOfCell(*mesh_, part, cell) * distortionOf(*mesh_, *distances_, label, f)});
-}
-
 SurfacePoint WorstRegions::point() const {
   const auto unreached = std::find(faceLabel_.begin(), faceLabel_.end(), Diagram::kUnreachable);
   if (unreached != faceLabel_.end())
@@ -210,9 +216,10 @@ SurfacePoint WorstRegions::point() const {
     most = distance;
     farthest = p;
   };
-  for (int v = 0; v < mesh_->vertexCount(); ++v)
-    if (const LabelledDistance d = nearestOf(distances_->at(v)); d.label == label)
-      offer(pointAtVertex(*mesh_, v), d.distance);
+  for (const Share& share : worst->shares)
+    for (const int v : mesh_->face(share.face).vertices)
+      if (const LabelledDistance d = nearestOf(distances_->at(v)); d.label == label)
+        offer(pointAtVertex(*mesh_, v), d.distance);
   const auto nearestAt = [&](int v) { return nearestOf(distances_->at(v)).distance; };
   for (const SurfacePoint& p : worst->outline)
     if (distanceOverCorners(*mesh_, p, nearestAt) > most) offer(p, distances_->nearest(p).distance);
@@ -257,7 +264,7 @@ class WorstFirstSampling final : public SlicedWork<std::vector<SurfacePoint>> {
   std::vector<SurfacePoint> result() override { return std::move(points_); }
 
  private:
-  /// One site per step at the most, because finding its place takes O(F).
+  /// One site per step at the most, because finding its place takes time for a whole region.
   bool insertOthers(long budget) {
     if (!insertion_) {
       if (isComplete()) return true;
