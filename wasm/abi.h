@@ -150,11 +150,20 @@ class RecordOfResult final : public SlicedWork<Record> {
   std::unique_ptr<SlicedWork<Result>> work_;
 };
 
-/// An answer that is worked on in slices (`stepAnswer`); `toRecord(result)` is its record.
+/// Work that ends in a record: `toRecord(result)` of other work.
+template <class Result, class ToRecord>
+std::unique_ptr<SlicedWork<Record>> recording(std::unique_ptr<SlicedWork<Result>> work,
+                                              ToRecord toRecord) {
+  return std::make_unique<RecordOfResult<Result, ToRecord>>(std::move(work), std::move(toRecord));
+}
+
+/// An answer that is worked on in slices (`stepAnswer`).
+inline Answer* answerOf(std::unique_ptr<SlicedWork<Record>> work) {
+  return new Answer{std::move(work), {}};
+}
 template <class Result, class ToRecord>
 Answer* answerOf(std::unique_ptr<SlicedWork<Result>> work, ToRecord toRecord) {
-  return new Answer{
-      std::make_unique<RecordOfResult<Result, ToRecord>>(std::move(work), std::move(toRecord)), {}};
+  return answerOf(recording(std::move(work), std::move(toRecord)));
 }
 
 /// The address of an object, by name, which JavaScript owns from then on.

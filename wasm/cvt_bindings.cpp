@@ -77,13 +77,14 @@ GVD_ABI void freeCvt(CvtHandle* cvt) { delete cvt; }
 
 /// `CvtState` of the next iteration, see `CvtAdvancing`.
 GVD_ABI Answer* advanceCvt(CvtHandle* cvt) {
-  return guarded([&] { return new Answer{std::make_unique<CvtAdvancing>(*cvt), {}}; });
+  return guarded([&] { return answerOf(std::make_unique<CvtAdvancing>(*cvt)); });
 }
 
 /// `DiagramData` of the last iteration.
 GVD_ABI Answer* cvtDiagram(const CvtHandle* cvt) {
   return guarded([&] {
-    return diagramAnswer(cvt->surface.mesh, std::make_shared<const Diagram>(cvt->cvt->diagram()));
+    return answerOf(
+        diagramRecording(cvt->surface.mesh, std::make_shared<const Diagram>(cvt->cvt->diagram())));
   });
 }
 

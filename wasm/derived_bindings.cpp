@@ -32,9 +32,9 @@ constexpr Named<Violation::Kind> kViolationKinds[] = {
 };
 
 /// `Partition`.
-class PartitionAnswer final : public SlicedWork<Record> {
+class PartitionRecording final : public SlicedWork<Record> {
  public:
-  PartitionAnswer(Surface on, const PartitionOptions& options)
+  PartitionRecording(Surface on, const PartitionOptions& options)
       : on_(std::move(on)), work_(startPartition(*on_.mesh, *on_.diagram, options)) {}
 
   bool advance(long budget) override {
@@ -84,18 +84,17 @@ class PartitionAnswer final : public SlicedWork<Record> {
 /// `Partition`.
 GVD_ABI Answer* partition(VoronoiHandle* voronoi, bool leaveOutIndifferent,
                           bool leaveOutUnreachable) {
-  return guarded([&] {
-    const PartitionOptions options = {.leaveOutIndifferent = leaveOutIndifferent,
-                                      .leaveOutUnreachable = leaveOutUnreachable};
-    return new Answer{std::make_unique<PartitionAnswer>(voronoi->snapshot(), options), {}};
+  const PartitionOptions options = {.leaveOutIndifferent = leaveOutIndifferent,
+                                    .leaveOutUnreachable = leaveOutUnreachable};
+  return answerOn(voronoi, [options](const Surface& on) {
+    return std::make_unique<PartitionRecording>(on, options);
   });
 }
 
 /// `PolygonMesh`: the dual, or if `primal` the regions themselves.
 GVD_ABI Answer* dual(VoronoiHandle* voronoi, bool primal) {
-  return guarded([&] {
-    const Surface on = voronoi->snapshot();
-    return answerOf(
+  return answerOn(voronoi, [=](const Surface& on) {
+    return recording(
         primal ? startRegionMesh(*on.mesh, *on.diagram)
                : startDualMesh(*on.mesh, voronoi->sitesByLabel(), *on.diagram),
         [on](PolygonMesh result) { return polygonRecord(*on.mesh, std::move(result)); });
@@ -104,56 +103,53 @@ GVD_ABI Answer* dual(VoronoiHandle* voronoi, bool primal) {
 
 /// `DualPaths`.
 GVD_ABI Answer* dualPaths(VoronoiHandle* voronoi) {
-  return guarded([&] {
-    const Surface on = voronoi->snapshot();
-    return answerOf(startDualPaths(*on.mesh, *on.diagram, voronoi->field()),
-                    [on](const std::vector<DualPath>& paths) {
-                      std::vector<int> labels, offset = {0};
-                      std::vector<SurfacePoint> points;
-                      for (const DualPath& path : paths) {
-                        labels.insert(labels.end(), path.labels.begin(), path.labels.end());
-                        points.insert(points.end(), path.points.begin(), path.points.end());
-                        offset.push_back(static_cast<int>(points.size()));
-                      }
-                      Record out;
-                      out.add("labels", std::move(labels));
-                      out.add("offset", std::move(offset));
-                      out.add("points", placedRecord(*on.mesh, points));
-                      return out;
-                    });
+  return answerOn(voronoi, [=](const Surface& on) {
+    return recording(startDualPaths(*on.mesh, *on.diagram, voronoi->field()),
+                     [on](const std::vector<DualPath>& paths) {
+                       std::vector<int> labels, offset = {0};
+                       std::vector<SurfacePoint> points;
+                       for (const DualPath& path : paths) {
+                         labels.insert(labels.end(), path.labels.begin(), path.labels.end());
+                         points.insert(points.end(), path.points.begin(), path.points.end());
+                         offset.push_back(static_cast<int>(points.size()));
+                       }
+                       Record out;
+                       out.add("labels", std::move(labels));
+                       out.add("offset", std::move(offset));
+                       out.add("points", placedRecord(*on.mesh, points));
+                       return out;
+                     });
   });
 }
 
 /// Per violation of the dual its kind and its message, and a list of labels.
 GVD_ABI Answer* dualViolations(VoronoiHandle* voronoi) {
-  return guarded([&] {
-    const Surface on = voronoi->snapshot();
-    return answerOf(startViolations(*on.mesh, voronoi->sitesByLabel(), *on.diagram),
-                    [on](const std::vector<Violation>& violations) {
-                      std::vector<std::string> kinds, messages;
-                      std::vector<int> offset = {0}, labels;
-                      for (const Violation& violation : violations) {
-                        kinds.emplace_back(nameOf(kViolationKinds, violation.kind));
-                        labels.insert(labels.end(), violation.labels.begin(),
-                                      violation.labels.end());
-                        offset.push_back(static_cast<int>(labels.size()));
-                        messages.push_back(violation.message);
-                      }
-                      Record out;
-                      out.add("kind", std::move(kinds));
-                      out.add("labelOffset", std::move(offset));
-                      out.add("labels", std::move(labels));
-                      out.add("message", std::move(messages));
-                      return out;
-                    });
+  return answerOn(voronoi, [=](const Surface& on) {
+    return recording(startViolations(*on.mesh, voronoi->sitesByLabel(), *on.diagram),
+                     [on](const std::vector<Violation>& violations) {
+                       std::vector<std::string> kinds, messages;
+                       std::vector<int> offset = {0}, labels;
+                       for (const Violation& violation : violations) {
+                         kinds.emplace_back(nameOf(kViolationKinds, violation.kind));
+                         labels.insert(labels.end(), violation.labels.begin(),
+                                       violation.labels.end());
+                         offset.push_back(static_cast<int>(labels.size()));
+                         messages.push_back(violation.message);
+                       }
+                       Record out;
+                       out.add("kind", std::move(kinds));
+                       out.add("labelOffset", std::move(offset));
+                       out.add("labels", std::move(labels));
+                       out.add("message", std::move(messages));
+                       return out;
+                     });
   });
 }
 
 /// `RemeshQuality` of the dual.
 GVD_ABI Answer* dualQuality(VoronoiHandle* voronoi) {
-  return guarded([&] {
-    const Surface on = voronoi->snapshot();
-    return answerOf(
+  return answerOn(voronoi, [=](const Surface& on) {
+    return recording(
         startQuality(*on.mesh, startDualMesh(*on.mesh, voronoi->sitesByLabel(), *on.diagram)),
         [on](const RemeshQuality& quality) {
           Record out;

@@ -145,30 +145,6 @@ class LocatedPoints final : public PointLookup {
   std::vector<double> distance_;
 };
 
-/// The place for one more site.
-class WorstRegionPoint final : public SlicedWork<Record> {
- public:
-  /// The diagram must outlive the steps.
-  WorstRegionPoint(VoronoiHandle& voronoi, WorstRegion worst) : voronoi_(voronoi) {
-    if (voronoi.worstRegions && voronoi.worstRegions->kind() == worst) return;
-    on_ = voronoi.snapshot();
-    listing_ = WorstRegions::start(*on_.mesh, voronoi.field(), *on_.diagram, worst);
-  }
-
-  bool advance(long budget) override { return !listing_ || listing_->step(budget); }
-  double progress() const override { return listing_ ? listing_->progress() : 1; }
-  Record result() override {
-    if (listing_) voronoi_.worstRegions.emplace(listing_->take());
-    const SurfacePoint point = voronoi_.worstRegions->point();
-    return pointsRecord(voronoi_.mesh(), {&point, 1});
-  }
-
- private:
-  VoronoiHandle& voronoi_;
-  Surface on_;
-  std::unique_ptr<SlicedWork<WorstRegions>> listing_;
-};
-
 /// `DiagramChange`: inserts, removes or moves a site. The first change makes the `DynamicDiagram`.
 class SiteChanging final : public SlicedWork<Record> {
  public:
@@ -228,7 +204,7 @@ class SiteChanging final : public SlicedWork<Record> {
 
 Answer* changeAnswer(VoronoiHandle& voronoi, std::optional<int> label,
                      std::optional<SurfacePoint> site) {
-  return new Answer{std::make_unique<SiteChanging>(voronoi, label, std::move(site)), {}};
+  return answerOf(std::make_unique<SiteChanging>(voronoi, label, std::move(site)));
 }
 
 }  // namespace
@@ -242,7 +218,7 @@ GVD_ABI Answer* createVoronoi(const MeshHandle* handle, Ints face, Doubles bary,
     voronoi->sites = sitesFromInput(voronoi->mesh(), face, bary);
     voronoi->metric = metricOf(toView(metric));
     voronoi->options = {.detail = detail};
-    return new Answer{std::make_unique<VoronoiMaking>(std::move(voronoi)), {}};
+    return answerOf(std::make_unique<VoronoiMaking>(std::move(voronoi)));
   });
 }
 
@@ -255,10 +231,8 @@ GVD_ABI MeshHandle* meshOfVoronoi(VoronoiHandle* voronoi) { return &voronoi->sur
 GVD_ABI Answer* distancesAtVertices(const MeshHandle* handle, Ints face, Doubles bary,
                                     Text metric) {
   return guarded([&] {
-    return new Answer{
-        std::make_unique<VertexDistances>(handle->mesh, sitesFromInput(*handle->mesh, face, bary),
-                                          metricOf(toView(metric))),
-        {}};
+    return answerOf(std::make_unique<VertexDistances>(
+        handle->mesh, sitesFromInput(*handle->mesh, face, bary), metricOf(toView(metric))));
   });
 }
 
@@ -275,10 +249,7 @@ GVD_ABI Answer* pathToSite(const VoronoiHandle* voronoi, Ints face, Doubles bary
 
 /// `DiagramData`.
 GVD_ABI Answer* voronoiDiagram(VoronoiHandle* voronoi) {
-  return guarded([&] {
-    const Surface on = voronoi->snapshot();
-    return diagramAnswer(on.mesh, on.diagram);
-  });
+  return answerOn(voronoi, [](const Surface& on) { return diagramRecording(on.mesh, on.diagram); });
 }
 
 /// `DiagramChange`. Nothing else may be asked of the diagram until it is done.
@@ -300,29 +271,39 @@ GVD_ABI Answer* removeSite(VoronoiHandle* voronoi, int label) {
 /// `SurfacePoints`: one, for the worst region.
 GVD_ABI Answer* worstRegionPoint(VoronoiHandle* voronoi, Text worst) {
   return guarded([&] {
-    return new Answer{std::make_unique<WorstRegionPoint>(*voronoi, worstRegionOf(toView(worst))),
-                      {}};
+    const WorstRegion kind = worstRegionOf(toView(worst));
+    const auto point = [voronoi] {
+      const SurfacePoint place = voronoi->worstRegions->point();
+      return pointsRecord(voronoi->mesh(), {&place, 1});
+    };
+    if (voronoi->worstRegions && voronoi->worstRegions->kind() == kind) return answer(point);
+    return answerOn(voronoi, [=](const Surface& on) {
+      return recording(WorstRegions::start(*on.mesh, voronoi->field(), *on.diagram, kind),
+                       [voronoi, point, on](WorstRegions regions) {
+                         voronoi->worstRegions.emplace(std::move(regions));
+                         return point();
+                       });
+    });
   });
 }
 
 /// `DiagramAccuracy`.
 GVD_ABI Answer* diagramAccuracy(VoronoiHandle* voronoi, int samples) {
-  return guarded([&] {
-    const Surface on = voronoi->snapshot();
-    return answerOf(startAccuracy(*on.mesh, voronoi->field(), *on.diagram, samples),
-                    [on](const DiagramAccuracy& accuracy) {
-                      Record out;
-                      out.add("mislabelled", accuracy.mislabelled);
-                      out.add("maxEdge", accuracy.maxEdge);
-                      return out;
-                    });
+  return answerOn(voronoi, [=](const Surface& on) {
+    return recording(startAccuracy(*on.mesh, voronoi->field(), *on.diagram, samples),
+                     [on](const DiagramAccuracy& accuracy) {
+                       Record out;
+                       out.add("mislabelled", accuracy.mislabelled);
+                       out.add("maxEdge", accuracy.maxEdge);
+                       return out;
+                     });
   });
 }
 
 /// `Located`.
 GVD_ABI Answer* locate(const VoronoiHandle* voronoi, Ints face, Doubles bary) {
   return guarded([&] {
-    return new Answer{std::make_unique<LocatedPoints>(*voronoi, face.span(), bary.span()), {}};
+    return answerOf(std::make_unique<LocatedPoints>(*voronoi, face.span(), bary.span()));
   });
 }
 

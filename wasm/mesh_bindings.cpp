@@ -205,9 +205,8 @@ GVD_ABI Answer* pointsAtVertices(const MeshHandle* handle, Ints vertex) {
 
 /// `ClosestPoints` to places, three numbers each.
 GVD_ABI Answer* closestPoints(MeshHandle* handle, Doubles places) {
-  return guarded([&] {
-    return new Answer{std::make_unique<ClosestPointLookup>(*handle, places.span()), {}};
-  });
+  return guarded(
+      [&] { return answerOf(std::make_unique<ClosestPointLookup>(*handle, places.span())); });
 }
 
 /// `SurfacePath`: the shortest one between two points; no points and infinity if there is none.

@@ -31,19 +31,24 @@ Metric metricOf(std::string_view name) { return valueOf(kMetrics, "metric", name
 
 WorstRegion worstRegionOf(std::string_view name) { return valueOf(kWorstRegions, "worst", name); }
 
-const Diagram& VoronoiHandle::diagram() {
-  if (!traced) {
-    Diagram diagram = dynamic->diagram();
-    diagram.siteCount = static_cast<int>(sitesByLabel().size());
-    diagram.regionArea.resize(diagram.siteCount);
-    traced = std::make_shared<const Diagram>(std::move(diagram));
+bool DiagramWork::advance(long budget) {
+  if (!work_) {
+    if (!join(budget)) return false;
+    work_ = start_({voronoi_.surface.mesh, voronoi_.traced});
   }
-  return *traced;
+  return work_->step(budget);
 }
 
-Surface VoronoiHandle::snapshot() {
-  diagram();
-  return {surface.mesh, traced};
+/// True when the handle has the diagram of the present sites.
+bool DiagramWork::join(long budget) {
+  if (voronoi_.traced) return true;
+  if (!joining_) joining_ = voronoi_.dynamic->startDiagram();
+  if (!joining_->step(budget)) return false;
+  Diagram diagram = joining_->take();
+  diagram.siteCount = static_cast<int>(voronoi_.sitesByLabel().size());
+  diagram.regionArea.resize(diagram.siteCount);
+  voronoi_.traced = std::make_shared<const Diagram>(std::move(diagram));
+  return true;
 }
 
 std::vector<SurfacePoint> VoronoiHandle::sitesByLabel() const {

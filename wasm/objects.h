@@ -5,6 +5,7 @@
 // `TriangleMesh`; `records.h` converts results back.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -55,10 +56,6 @@ struct VoronoiHandle {
   const DistanceField& field() const {
     return dynamic ? dynamic->distances() : distances ? *distances : *sharedDistances;
   }
-  /// The diagram of the present sites.
-  const Diagram& diagram();
-  /// The mesh and the present diagram, for work that may outlast them.
-  Surface snapshot();
   /// The sites by label; face -1 where one has been removed. Labels at the end that have none do
   /// not count.
   std::vector<SurfacePoint> sitesByLabel() const;
@@ -66,6 +63,33 @@ struct VoronoiHandle {
   std::unique_ptr<SlicedWork<DynamicDiagram>> startDynamic() const;
   void takeDynamic(DynamicDiagram made);
 };
+
+/// Work on the diagram of the present sites. If these have changed, it is first joined to one.
+class DiagramWork final : public SlicedWork<Record> {
+ public:
+  /// Begins the work; it may keep what it is given.
+  using Start = std::function<std::unique_ptr<SlicedWork<Record>>(const Surface& on)>;
+
+  /// The handle must outlive the steps.
+  DiagramWork(VoronoiHandle& voronoi, Start start) : voronoi_(voronoi), start_(std::move(start)) {}
+  bool advance(long budget) override;
+  double progress() const override { return work_ ? work_->progress() : 0; }
+  Record result() override { return work_->take(); }
+
+ private:
+  bool join(long budget);
+
+  VoronoiHandle& voronoi_;
+  const Start start_;
+  std::unique_ptr<SlicedWork<Diagram>> joining_;
+  std::unique_ptr<SlicedWork<Record>> work_;
+};
+
+/// The answer of work on a diagram.
+inline Answer* answerOn(VoronoiHandle* voronoi, DiagramWork::Start start) {
+  return guarded(
+      [&] { return answerOf(std::make_unique<DiagramWork>(*voronoi, std::move(start))); });
+}
 
 /// A centroidal tessellation under way.
 struct CvtHandle {

@@ -251,9 +251,9 @@ Record pathRecord(const TriangleMesh& mesh, std::span<const SurfacePoint> path) 
   return out;
 }
 
-Answer* diagramAnswer(std::shared_ptr<const TriangleMesh> mesh,
-                      std::shared_ptr<const Diagram> diagram) {
-  return new Answer{std::make_unique<DiagramRecording>(std::move(mesh), std::move(diagram)), {}};
+std::unique_ptr<SlicedWork<Record>> diagramRecording(std::shared_ptr<const TriangleMesh> mesh,
+                                                     std::shared_ptr<const Diagram> diagram) {
+  return std::make_unique<DiagramRecording>(std::move(mesh), std::move(diagram));
 }
 
 Record changeRecord(const TriangleMesh& mesh, int label, DiagramChange change) {

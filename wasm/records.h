@@ -45,8 +45,8 @@ Record placedRecord(const TriangleMesh& mesh, std::span<const SurfacePoint> poin
 /// `SurfacePath`.
 Record pathRecord(const TriangleMesh& mesh, std::span<const SurfacePoint> path);
 /// `DiagramData`, in slices.
-Answer* diagramAnswer(std::shared_ptr<const TriangleMesh> mesh,
-                      std::shared_ptr<const Diagram> diagram);
+std::unique_ptr<SlicedWork<Record>> diagramRecording(std::shared_ptr<const TriangleMesh> mesh,
+                                                     std::shared_ptr<const Diagram> diagram);
 /// `DiagramChange`, of the site that had or has the label.
 Record changeRecord(const TriangleMesh& mesh, int label, DiagramChange change);
 /// `Partition`, of which the points are recorded and the faces are those of the input; `corners`

@@ -59,6 +59,11 @@ const tasks = {
     diagram.locate({ vertex: Array.from({ length: 500 }, (_, v) => v) }, options),
   'a place in the worst region': async (options) =>
     (await mesh.voronoi(diagram.sites)).worstRegionPoint('distortion', options),
+  'a diagram after a change': async (options) => {
+    const own = await mesh.voronoi(diagram.sites);
+    await own.insertSite({ vertex: [7] });
+    return own.fetchData(options);
+  },
   'a partition': (options) => diagram.partition(options),
   'a dual': (options) => diagram.dual(options),
   'the regions as polygons': (options) => diagram.dual({ primal: true, ...options }),

@@ -105,6 +105,8 @@ class DynamicDiagram {
   const DistanceField& distances() const;
   /// The whole diagram. `siteCount` is `labelCount()`. O(size of the diagram).
   Diagram diagram() const;
+  /// The same in steps. No change may begin before it is done.
+  std::unique_ptr<SlicedWork<Diagram>> startDiagram() const;
 
  private:
   class Implementation;

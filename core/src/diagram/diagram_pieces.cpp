@@ -17,7 +17,10 @@ namespace {
 /// Numbers places, each once: two are the same if their faces and coordinates are equal.
 class PlaceIndex {
  public:
-  explicit PlaceIndex(size_t faceCount) : lastIn_(faceCount, -1) {}
+  /// Makes room, in slices; true when it is there.
+  bool prepare(size_t faceCount, long& budget) {
+    return fillInSlices(lastIn_, faceCount, -1, budget);
+  }
 
   int add(const SurfacePoint& place) {
     for (int i = lastIn_[place.face]; i >= 0; i = before_[i])
@@ -153,45 +156,77 @@ const std::vector<int>& DiagramPieces::regionTriangles(int label) {
   return faces;
 }
 
-Diagram DiagramPieces::diagram() const {
-  Diagram out;
-  PlaceIndex points(faceLabel_.size());
-  out.siteCount = static_cast<int>(regions_.size());
-  for (int a = 0; a < arcs_.limit(); ++a) {
-    if (!arcs_.isUsed(a)) continue;
-    const Arc& arc = arcs_[a];
-    const int index = out.arcs.size();
+/// Joins all pieces to one diagram.
+class DiagramPieces::Joining final : public SlicedWork<Diagram> {
+ public:
+  explicit Joining(const DiagramPieces& pieces) : pieces_(pieces) {}
+
+  bool advance(long budget) override {
+    const std::vector<int>& faceLabel = pieces_.faceLabel_;
+    return sequence_.run(
+        [&] { out_.faceLabel.reserve(faceLabel.size()); },
+        [&] { return points_.prepare(faceLabel.size(), budget); },
+        forEach(pieces_.arcs_.limit(), budget, 1, [&](int arc) { addArc(arc); }),
+        forEach(pieces_.voronoiPoints_.limit(), budget, 4, [&](int v) { addVoronoiPoint(v); }),
+        forEach(pieces_.regions_, budget, 1, [&](int label) { addRegion(label); }),
+        forEach(faceLabel, budget, 4, [&](int f) { addFace(f); }));
+  }
+  double progress() const override { return sequence_.progress(); }
+  Diagram result() override {
+    out_.siteCount = static_cast<int>(pieces_.regions_.size());
+    out_.points = points_.take();
+    return std::move(out_);
+  }
+
+ private:
+  void addArc(int number) {
+    if (!pieces_.arcs_.isUsed(number)) return;
+    const Arc& arc = pieces_.arcs_[number];
+    const int index = out_.arcs.size();
     for (const Segment& s : arc.segments)
-      out.segments.push_back({{points.add(s.from), points.add(s.to)}, arc.labels, s.face, index});
-    out.arcs.add(points.addAll(arc.points));
-    out.arcLabels.push_back(arc.labels);
+      out_.segments.push_back(
+          {{points_.add(s.from), points_.add(s.to)}, arc.labels, s.face, index});
+    out_.arcs.add(points_.addAll(arc.points));
+    out_.arcLabels.push_back(arc.labels);
   }
-  for (int v = 0; v < voronoiPoints_.limit(); ++v)
-    if (voronoiPoints_.isUsed(v))
-      out.voronoiPoints.push_back({points.add(voronoiPoints_[v].place), voronoiPoints_[v].labels});
-  for (int label = 0; label < out.siteCount; ++label) {
-    for (const auto& loop : regions_[label].loops) {
-      out.loops.add(points.addAll(loop));
-      out.loopLabel.push_back(label);
+
+  void addVoronoiPoint(int number) {
+    if (!pieces_.voronoiPoints_.isUsed(number)) return;
+    const auto& [place, labels] = pieces_.voronoiPoints_[number];
+    out_.voronoiPoints.push_back({points_.add(place), labels});
+  }
+
+  void addRegion(int label) {
+    for (const auto& loop : pieces_.regions_[label].loops) {
+      out_.loops.add(points_.addAll(loop));
+      out_.loopLabel.push_back(label);
     }
-    out.regionArea.push_back(regions_[label].area);
+    out_.regionArea.push_back(pieces_.regions_[label].area);
   }
-  out.faceLabel = faceLabel_;
-  for (int f = 0; f < static_cast<int>(faceLabel_.size()); ++f) {
-    if (isIndifferent_[f]) out.indifferentFaces.push_back(f);
-    if (cellsOf_[f] < 0) continue;
-    const Cells& here = cells_[cellsOf_[f]];
+
+  void addFace(int f) {
+    out_.faceLabel.push_back(pieces_.faceLabel_[f]);
+    if (pieces_.isIndifferent_[f]) out_.indifferentFaces.push_back(f);
+    if (pieces_.cellsOf_[f] < 0) return;
+    const Cells& here = pieces_.cells_[pieces_.cellsOf_[f]];
     int begin = 0;
     for (const Cells::Cell& cell : here.cells) {
       const auto count = static_cast<size_t>(cell.end - begin);
-      out.cells.add(points.addAll(std::span(here.points).subspan(begin, count)));
-      out.cellFace.push_back(f);
-      out.cellLabel.push_back(cell.label);
+      out_.cells.add(points_.addAll(std::span(here.points).subspan(begin, count)));
+      out_.cellFace.push_back(f);
+      out_.cellLabel.push_back(cell.label);
       begin = cell.end;
     }
   }
-  out.points = points.take();
-  return out;
+
+  const DiagramPieces& pieces_;
+  SlicedSequence sequence_;
+  PlaceIndex points_;
+  Diagram out_;
+};
+
+std::unique_ptr<SlicedWork<Diagram>> DiagramPieces::startDiagram() const {
+  return std::make_unique<Joining>(*this);
 }
 
 DiagramChange changeTo(Diagram diagram) {

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "base/sliced_loop.h"
 #include "gvd/diagram.h"
 #include "gvd/dynamic_diagram.h"
+#include "gvd/sliced_work.h"
 #include "gvd/surface_point.h"
 
 namespace gvd {
@@ -30,10 +32,13 @@ class DiagramPieces {
   /// The region triangles of a label, ascending; valid until the next change.
   const std::vector<int>& regionTriangles(int label);
 
-  /// All pieces as one diagram, in which each place is one point.
-  Diagram diagram() const;
+  /// Starts to join all pieces to one diagram, in which each place is one point. No piece may be
+  /// replaced meanwhile.
+  std::unique_ptr<SlicedWork<Diagram>> startDiagram() const;
 
  private:
+  class Joining;
+
   /// Items with stable numbers. New items reuse the memory of removed ones, including their lists,
   /// because an edit usually adds about as much as it removes.
   template <class Item>

@@ -60,7 +60,7 @@ class DynamicDiagram::Implementation {
 
   int labelCount() const { return distances_->sites().labelCount(); }
   const SiteDistances& distances() const { return *distances_; }
-  Diagram diagram() const { return pieces_.diagram(); }
+  std::unique_ptr<SlicedWork<Diagram>> startDiagram() const { return pieces_.startDiagram(); }
 
   /// From now on the distances change with this diagram alone.
   void takeDistances() {
@@ -375,6 +375,10 @@ std::vector<SurfacePoint> DynamicDiagram::sites() const {
 
 const DistanceField& DynamicDiagram::distances() const { return whole().distances(); }
 
-Diagram DynamicDiagram::diagram() const { return whole().diagram(); }
+Diagram DynamicDiagram::diagram() const { return finished(startDiagram()); }
+
+std::unique_ptr<SlicedWork<Diagram>> DynamicDiagram::startDiagram() const {
+  return whole().startDiagram();
+}
 
 }  // namespace gvd
