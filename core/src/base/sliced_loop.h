@@ -67,9 +67,9 @@ auto forEach(const Items& items, long& budget, long perUnit, Body body) {
     };
 }
 
-/// A sequence of parts, done one after the other: functions, or loops made by `forEach`. A part
-/// returns false if it has used up its budget, and is then called again; a part that returns void
-/// is always done after one call.
+/// A sequence of parts, done one after the other: functions, which may take a `SlicedLoop` of their
+/// own, or loops made by `forEach`. A part returns false if it has used up its budget, and is then
+/// called again; a part that returns void is always done after one call.
 class SlicedSequence {
  public:
   /// Goes on with the first of `parts` that is not done; true when all are.

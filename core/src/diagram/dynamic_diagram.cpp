@@ -21,14 +21,6 @@
 namespace gvd {
 namespace {
 
-/// The distances of these sites, yet to be computed.
-std::shared_ptr<SiteDistances> distancesOf(const TriangleMesh& mesh,
-                                           std::span<const SurfacePoint> sites, Metric metric) {
-  auto distances = std::make_shared<SiteDistances>(mesh, metric);
-  distances->change(arrivals(sites));
-  return distances;
-}
-
 void requireFree(const SiteDistances& distances) {
   if (distances.isTaken()) rejectArgument("the distances have been given to a diagram before");
 }
@@ -289,7 +281,8 @@ DynamicDiagram::DynamicDiagram(std::unique_ptr<Implementation> implementation)
 std::unique_ptr<SlicedWork<DynamicDiagram>> DynamicDiagram::start(
     const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,
     const DiagramOptions& options) {
-  return std::make_unique<Opening>(mesh, distancesOf(mesh, sites, metric), options);
+  return std::make_unique<Opening>(mesh, std::make_shared<SiteDistances>(mesh, metric, sites),
+                                   options);
 }
 
 DynamicDiagram DynamicDiagram::fromDistances(const TriangleMesh& mesh,

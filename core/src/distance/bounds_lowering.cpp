@@ -9,18 +9,14 @@ void BoundsLowering::beginChange() {
   turns_.clear();
   missed_.clear();
   hasSpread_ = false;
-}
-
-void BoundsLowering::start(LabelChange& change) {
-  change_ = &change;
   sequence_ = {};
 }
 
 bool BoundsLowering::step(long& budget) {
   return sequence_.run(
-      forEach(change_->resetVertices, budget, kQuickRounds,
+      forEach(change_.resetVertices, budget, kQuickRounds,
               [&](int i) {
-                const int v = change_->resetVertices[i];
+                const int v = change_.resetVertices[i];
                 bounds_[v].distance = edgeBounds_[v];
               }),
       forEach(edgeBounds_.changed(), budget, kQuickRounds,
@@ -35,14 +31,14 @@ void BoundsLowering::resetBound(int v) {
   spread_.setEdgeBound(v, edgeBounds_[v]);
   if (bounds_.ties().isAtMost(bounds_[v].distance, edgeBounds_[v])) return;
   bounds_[v] = {-1, edgeBounds_[v]};
-  change_->resetVertices.push_back(v);
+  change_.resetVertices.push_back(v);
 }
 
 void BoundsLowering::startTurns() {
-  bounded_ = change_->resetVertices;
+  bounded_ = change_.resetVertices;
   edgeBounds_.clearChanged();
-  for (const int label : change_->started) turns_.addStart(label);
-  for (const int label : change_->resumed) {
+  for (const int label : change_.started) turns_.addStart(label);
+  for (const int label : change_.resumed) {
     lowerBy(label);
     turns_.addResume(label);
   }
@@ -75,9 +71,9 @@ bool BoundsLowering::requireMissed() {
     const Requirement nearest = nearestAround(v);
     if (nearest.label < 0) continue;
     missed_.push_back(nearest);
-    if (!change_->hasStarted[nearest.label]) change_->resumed.push_back(nearest.label);
+    if (!change_.hasStarted[nearest.label]) change_.resumed.push_back(nearest.label);
   }
-  makeSet(change_->resumed);
+  makeSet(change_.resumed);
   turns_.addRequired(missed_);
   return !turns_.isEmpty();
 }

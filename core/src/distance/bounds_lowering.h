@@ -17,19 +17,22 @@ namespace gvd {
 /// distance of a label. Bounds begin with the lengths of paths along edges.
 class BoundsLowering {
  public:
-  /// All arguments must outlive this.
+  /// All arguments must outlive this. `step` adds to the current change the vertices where the
+  /// owner exceeds the edge bound, and the labels that resume to reach vertices that no other label
+  /// has reached.
   BoundsLowering(const TriangleMesh& mesh, LabelSpread& spread, EdgeBounds& edgeBounds,
-                 NearestBounds& bounds)
-      : mesh_(mesh), edgeBounds_(edgeBounds), bounds_(bounds), spread_(spread), turns_(spread) {}
+                 NearestBounds& bounds, LabelChange& change)
+      : mesh_(mesh),
+        edgeBounds_(edgeBounds),
+        bounds_(bounds),
+        spread_(spread),
+        change_(change),
+        turns_(spread) {}
 
   /// Forgets the previous change.
   void beginChange();
-  /// Begins to lower the bounds, once the edge bounds are up to date. Adds to the change, which
-  /// must outlive the work, the vertices where the owner exceeds the edge bound, and the labels
-  /// that resume to reach vertices that no other label has reached.
-  void start(LabelChange& change);
   /// Works on at most `budget` units and lowers it by their number; true when the bounds are
-  /// distances.
+  /// distances. Call it once the edge bounds are up to date.
   bool step(long& budget);
   double progress() const { return hasSpread_ ? 1 : turns_.progress(); }
 
@@ -47,10 +50,10 @@ class BoundsLowering {
   LabelSpread& spread_;
 
   // The current change.
-  LabelChange* change_ = nullptr;
+  LabelChange& change_;
   SlicedSequence sequence_;
   LabelTurns turns_;
-  bool hasSpread_ = true;            ///< whether all labels have; only missed vertices are left
+  bool hasSpread_ = false;           ///< whether all labels have; only missed vertices are left
   std::vector<int> bounded_;         ///< vertices limited by paths along edges alone
   std::vector<Requirement> missed_;  ///< of labels that go on to such vertices
 };

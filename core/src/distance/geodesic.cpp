@@ -16,9 +16,7 @@ namespace {
 class SitePropagation final : public Propagation {
  public:
   SitePropagation(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric)
-      : distances_(std::make_unique<SiteDistances>(mesh, metric)) {
-    distances_->change(arrivals(sites));
-  }
+      : distances_(std::make_unique<SiteDistances>(mesh, metric, sites)) {}
 
   bool advance(long budget) override { return distances_->step(budget); }
   double progress() const override { return distances_->progress(); }

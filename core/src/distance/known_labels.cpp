@@ -7,35 +7,31 @@
 namespace gvd {
 
 KnownLabels::KnownLabels(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds,
-                         LabelSpread& spread)
+                         LabelSpread& spread, const LabelChange& change)
     : mesh_(mesh),
       sites_(sites),
       bounds_(bounds),
       spread_(spread),
+      change_(change),
       owners_(mesh, sites, bounds),
       lists_(spread, bounds),
-      finding_(mesh, sites, bounds, spread, lists_, owners_),
+      finding_(mesh, sites, bounds, spread, change, lists_, owners_),
       turns_(spread),
-      closure_(mesh, spread, owners_, lists_),
+      closure_(mesh, spread, owners_, lists_, changedFaces_),
       changedFaces_(mesh.faceCount()) {}
 
 void KnownLabels::beginChange() {
   finding_.beginChange();
+  closure_.beginChange();
   changedFaces_.clear();
   changedLabels_.clear();
   progress_ = 0;
+  sequence_ = allotting_ = {};
 }
 
 void KnownLabels::noteLeaving(int label) {
   changedLabels_.push_back(label);
   finding_.addFacesOfSite(label);
-}
-
-void KnownLabels::start(const LabelChange& change) {
-  change_ = &change;
-  finding_.start(change);
-  atChanged_ = IndexSet(sites_.labelCount());
-  sequence_ = allotting_ = {};
 }
 
 bool KnownLabels::step(long& budget) {
@@ -55,7 +51,10 @@ bool KnownLabels::step(long& budget) {
         return isDone;
       },
       // 3. Lists.
-      [&] { return change_->startsAll ? allotLists(budget) : clearLists(budget); },
+      [&] { atChanged_ = IndexSet(sites_.labelCount()); },
+      [&](SlicedLoop& loop) {
+        return change_.startsAll ? allotLists(budget) : clearLists(loop, budget);
+      },
       [&] {
         listed_ = atChanged_.sorted();
         changedLabels_.insert(changedLabels_.end(), listed_.begin(), listed_.end());
@@ -64,7 +63,7 @@ bool KnownLabels::step(long& budget) {
       [&] { return listLabels(budget); },
       forEach(changed, budget, kQuickRounds, [&](int i) { lists_.equalizeTies(changed[i]); }),
       // 4. Closure.
-      [&] { closure_.start(changedFaces_); }, [&] { return closure_.step(budget); },
+      [&] { return closure_.step(budget); },
       [&] {
         noteExtended();
         progress_ = 1;
@@ -77,12 +76,12 @@ bool KnownLabels::allotLists(long& budget) {
   const int vertices = mesh_.vertexCount();
   return allotting_.run(
       [&] {
-        for (const int label : change_->started) atChanged_.add(label);
+        for (const int label : change_.started) atChanged_.add(label);
       },
       [&] { return changedFaces_.addAll(budget); },
       [&] { return fillInSlices(roomAt_, vertices, 0, budget); },
       [&] {
-        return reachedLoop_.run(spread_, change_->started, budget,
+        return reachedLoop_.run(spread_, change_.started, budget,
                                 [&](int /*label*/, int /*i*/, const ReachedVertex& r) {
                                   roomAt_[r.vertex] += r.isFinal;
                                 });
@@ -94,9 +93,9 @@ bool KnownLabels::allotLists(long& budget) {
 
 /// Clears the lists of changed vertices and collects the labels known there before, and those that
 /// may go into the lists.
-bool KnownLabels::clearLists(long& budget) {
+bool KnownLabels::clearLists(SlicedLoop& loop, long& budget) {
   const std::vector<int>& changed = finding_.changedVertices().list();
-  return loop_.run(changed.size(), budget, 8, [&](int i) { clearList(changed[i]); });
+  return loop.run(changed.size(), budget, 8, [&](int i) { clearList(changed[i]); });
 }
 
 void KnownLabels::clearList(int vertex) {
@@ -111,7 +110,7 @@ void KnownLabels::clearList(int vertex) {
 
 bool KnownLabels::listLabels(long& budget) {
   // If all labels have just spread, every final distance goes into a list.
-  const bool isAllWanted = change_->startsAll;
+  const bool isAllWanted = change_.startsAll;
   const IndexSet& changed = finding_.changedVertices();
   return reachedLoop_.run(spread_, listed_, budget, [&](int label, int i, const ReachedVertex& r) {
     if (r.isFinal &&
@@ -122,7 +121,7 @@ bool KnownLabels::listLabels(long& budget) {
 
 /// Notes what the closure has changed.
 void KnownLabels::noteExtended() {
-  if (change_->startsAll) return;
+  if (change_.startsAll) return;
   for (const int v : closure_.extended()) {
     mesh_.visitFaces(v, [&](int f) { changedFaces_.add(f); });
     for (const LabelledDistance& d : lists_[v]) changedLabels_.push_back(d.label);

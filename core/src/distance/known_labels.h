@@ -34,9 +34,10 @@ namespace gvd {
 /// The result depends on the distances only, not on the changes that led to them.
 class KnownLabels {
  public:
-  /// `step` changes `bounds`: where labels tie, the lowest becomes the owner.
+  /// `step` changes `bounds`: where labels tie, the lowest becomes the owner. `change` is the
+  /// current one. All arguments must outlive this.
   KnownLabels(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds,
-              LabelSpread& spread);
+              LabelSpread& spread, const LabelChange& change);
 
   /// Makes room, in slices; true when it is there. Before anything else.
   bool prepare(long& budget) {
@@ -49,15 +50,15 @@ class KnownLabels {
   /// The index in `LabelSpread::reached(label)` of the vertex, -1 if the label is not known.
   int reachedIndex(int vertex, int label) const { return lists_.reachedIndex(vertex, label); }
 
+  /// Forgets the previous change.
   void beginChange();
   /// Notes what may change without a label. Call before the spread forgets the label and before its
   /// site is removed.
   void noteLeaving(int label);
   /// Notes what may change around a vertex where the distance of such a label is final.
   void noteLeavingFrom(int vertex, int label) { finding_.noteLeavingFrom(vertex, label); }
-  /// Begins to find the known labels, after labels have spread. `change` must outlive the work.
-  void start(const LabelChange& change);
-  /// Works on at most `budget` units and lowers it by their number; true when all is known.
+  /// Works on at most `budget` units and lowers it by their number; true when all is known. Call it
+  /// after labels have spread.
   bool step(long& budget);
   double progress() const { return progress_; }
 
@@ -67,7 +68,7 @@ class KnownLabels {
 
  private:
   bool allotLists(long& budget);
-  bool clearLists(long& budget);
+  bool clearLists(SlicedLoop& loop, long& budget);
   void clearList(int vertex);
   bool listLabels(long& budget);
   void noteExtended();
@@ -77,6 +78,7 @@ class KnownLabels {
   const SiteSet& sites_;
   const NearestBounds& bounds_;
   const LabelSpread& spread_;
+  const LabelChange& change_;  ///< the current one
   FaceOwners owners_;
   LabelLists lists_;
   OwnerFinding finding_;
@@ -84,11 +86,9 @@ class KnownLabels {
   LabelClosure closure_;
 
   // The current change.
-  const LabelChange* change_ = nullptr;
   SlicedSequence sequence_, allotting_;
-  SlicedLoop loop_;
   ReachedLoop reachedLoop_;
-  double progress_ = 1;
+  double progress_ = 0;
   IndexSet changedFaces_;  ///< around changed vertices
   std::vector<int> changedLabels_;
   std::vector<int> roomAt_;  ///< per vertex, the number of labels that come to it

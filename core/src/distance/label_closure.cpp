@@ -8,8 +8,7 @@
 
 namespace gvd {
 
-void LabelClosure::start(const IndexSet& faces) {
-  faces_ = &faces;
+void LabelClosure::beginChange() {
   sequence_ = {};
   required_.clear();
   found_.clear();
@@ -18,9 +17,9 @@ void LabelClosure::start(const IndexSet& faces) {
 
 bool LabelClosure::step(long& budget) {
   return sequence_.run(
-      [&] {
-        return loop_.runWeighted(faces_->size(), budget, kQuickRounds,
-                                 [&](int i) { return closeFace(faces_->list()[i]); });
+      [&](SlicedLoop& loop) {
+        return loop.runWeighted(changedFaces_.size(), budget, kQuickRounds,
+                                [&](int i) { return closeFace(changedFaces_.list()[i]); });
       },
       [&] { beginRound(found_); },
       [&] {

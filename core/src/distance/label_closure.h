@@ -27,17 +27,20 @@ namespace gvd {
 class LabelClosure {
  public:
   /// Adds to `lists` and `owners`. All arguments must outlive this.
-  LabelClosure(const TriangleMesh& mesh, LabelSpread& spread, FaceOwners& owners, LabelLists& lists)
+  LabelClosure(const TriangleMesh& mesh, LabelSpread& spread, FaceOwners& owners, LabelLists& lists,
+               const IndexSet& changedFaces)
       : mesh_(mesh),
         owners_(owners),
         lists_(lists),
+        changedFaces_(changedFaces),
         turns_(spread),
         spread_(spread),
         extended_(mesh.vertexCount()) {}
 
-  /// Begins to close some faces, which must outlive the work.
-  void start(const IndexSet& faces);
-  /// Works on at most `budget` units and lowers it by their number; true when all is closed.
+  /// Forgets the previous change.
+  void beginChange();
+  /// Works on at most `budget` units and lowers it by their number; true when the changed faces are
+  /// closed.
   bool step(long& budget);
   /// The vertices to whose lists labels were added.
   const std::vector<int>& extended() const { return extended_.list(); }
@@ -54,12 +57,12 @@ class LabelClosure {
   const TriangleMesh& mesh_;
   FaceOwners& owners_;
   LabelLists& lists_;
+  const IndexSet& changedFaces_;
   LabelTurns turns_;
   const LabelSpread& spread_;
 
-  const IndexSet* faces_ = nullptr;  ///< to be closed
+  // The current change.
   SlicedSequence sequence_;
-  SlicedLoop loop_;
   std::vector<Requirement> required_;  ///< of the next round
   std::vector<Requirement> found_;     ///< by the last look at faces
   std::vector<LabelAtVertex> added_;   ///< to the lists, by the current label

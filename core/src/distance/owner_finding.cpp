@@ -11,6 +11,7 @@ void OwnerFinding::beginChange() {
   newlyFinal_.clear();
   ties_.clear();
   requirements_.clear();
+  sequence_ = affecting_ = {};
 }
 
 void OwnerFinding::noteLeavingFrom(int vertex, int label) {
@@ -23,16 +24,11 @@ void OwnerFinding::addFacesOfSite(int label) {
   sites_.visitFacesOf(label, [&](const SurfacePoint& site) { affectedFaces_.add(site.face); });
 }
 
-void OwnerFinding::start(const LabelChange& change) {
-  change_ = &change;
-  sequence_ = affecting_ = {};
-}
-
 bool OwnerFinding::step(long& budget) {
   return sequence_.run(
-      [&] { return markFinal(change_->started, budget); },
-      [&] { return markFinal(change_->resumed, budget); },
-      [&] { return change_->startsAll ? affectAll(budget) : findAffected(budget); },
+      [&] { return markFinal(change_.started, budget); },
+      [&] { return markFinal(change_.resumed, budget); },
+      [&] { return change_.startsAll ? affectAll(budget) : findAffected(budget); },
       forEach(changedVertices_.list(), budget, kQuickRounds,
               [&](int i) { findTies(changedVertices_.list()[i]); }),
       forEach(affectedFaces_.list(), budget, kQuickRounds,
@@ -47,7 +43,7 @@ bool OwnerFinding::markFinal(std::span<const int> labels, long& budget) {
     noteTie(r.vertex, label);
     if (r.isFinal) return;
     spread_.markFinal(label, i);
-    if (!change_->startsAll) newlyFinal_.push_back(r.vertex);
+    if (!change_.startsAll) newlyFinal_.push_back(r.vertex);
   });
 }
 
@@ -81,9 +77,9 @@ bool OwnerFinding::findAffected(long& budget) {
     mesh_.visitFaces(v, [&](int f) { affectedFaces_.add(f); });
   };
   return affecting_.run(
-      forAll(change_->resetVertices, addFacesAround), forAll(newlyFinal_, addFacesAround),
+      forAll(change_.resetVertices, addFacesAround), forAll(newlyFinal_, addFacesAround),
       [&] {
-        for (const int label : change_->started) addFacesOfSite(label);
+        for (const int label : change_.started) addFacesOfSite(label);
       },
       forAll(affectedFaces_.list(),
              [&](int f) {
@@ -129,7 +125,7 @@ void OwnerFinding::dropDoubtful() {
 void OwnerFinding::findTies(int v) {
   for (size_t k = 0; k < lists_[v].size(); ++k) {
     const int label = lists_[v][k].label;
-    if (!sites_.contains(label) || change_->hasStarted[label]) continue;
+    if (!sites_.contains(label) || change_.hasStarted[label]) continue;
     // The distance that the label has found: the listed one may have been lowered to that of a
     // label that is gone (`equalizeTies`).
     const ReachedVertex& r = spread_.reached(label)[lists_.reachedIndices(v)[k]];

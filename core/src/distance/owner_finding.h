@@ -27,27 +27,29 @@ class OwnerFinding {
  public:
   /// `step` changes `bounds`: where labels tie, the lowest becomes the owner of the vertex. It
   /// marks the distances of owners in `spread` as final, and reads in `lists` what was known
-  /// before. All arguments must outlive this.
+  /// before. `change` is the current one. All arguments must outlive this.
   OwnerFinding(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds,
-               LabelSpread& spread, const LabelLists& lists, FaceOwners& owners)
+               LabelSpread& spread, const LabelChange& change, const LabelLists& lists,
+               FaceOwners& owners)
       : mesh_(mesh),
         sites_(sites),
         bounds_(bounds),
         spread_(spread),
+        change_(change),
         lists_(lists),
         owners_(owners),
         affectedFaces_(mesh.faceCount()),
         changedVertices_(mesh.vertexCount()) {}
 
+  /// Forgets the previous change.
   void beginChange();
   /// Notes that the owners of the faces that a label's site is in may change.
   void addFacesOfSite(int label);
   /// Notes the faces around a vertex that a label owns a part of: their owners may change without
   /// it. Call before the site of the label is removed.
   void noteLeavingFrom(int vertex, int label);
-  /// Begins after labels have spread. `change` must outlive the work.
-  void start(const LabelChange& change);
-  /// Works on at most `budget` units and lowers it by their number; true when all are found.
+  /// Works on at most `budget` units and lowers it by their number; true when all are found. Call
+  /// it after labels have spread.
   bool step(long& budget);
 
   /// The distances that have to be known because of the owners found.
@@ -70,11 +72,11 @@ class OwnerFinding {
   const SiteSet& sites_;
   NearestBounds& bounds_;
   LabelSpread& spread_;
+  const LabelChange& change_;  ///< the current one
   const LabelLists& lists_;
   FaceOwners& owners_;
 
   // The current change.
-  const LabelChange* change_ = nullptr;
   SlicedSequence sequence_, affecting_;
   ReachedLoop reachedLoop_;
   std::vector<int> newlyFinal_;      ///< vertices where a distance has become final

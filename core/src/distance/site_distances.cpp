@@ -22,14 +22,14 @@ std::unique_ptr<LabelSpread> makeSpread(const TriangleMesh& mesh, Metric metric,
   return std::make_unique<exact::WindowSpread>(mesh, sites, bounds);
 }
 
-}  // namespace
-
-std::vector<SiteChange> arrivals(std::span<const SurfacePoint> sites) {
+std::vector<SiteChange> insertionsOf(std::span<const SurfacePoint> sites) {
   std::vector<SiteChange> changes;
   for (size_t label = 0; label < sites.size(); ++label)
     if (sites[label].face != -1) changes.push_back({static_cast<int>(label), sites[label]});
   return changes;
 }
+
+}  // namespace
 
 // Not inlined, as the WebAssembly module would be larger.
 [[gnu::noinline]] void requireMesh(const TriangleMesh& mesh, const DistanceField& distances) {
@@ -38,16 +38,19 @@ std::vector<SiteChange> arrivals(std::span<const SurfacePoint> sites) {
     throw Error(ErrorCode::kInvalidArgument, "the distances are those of another mesh");
 }
 
-SiteDistances::SiteDistances(const TriangleMesh& mesh, Metric metric)
+SiteDistances::SiteDistances(const TriangleMesh& mesh, Metric metric,
+                             std::span<const SurfacePoint> sites)
     : mesh_(mesh),
       sites_(mesh),
       edgeBounds_(mesh, sites_),
       bounds_(mesh),
       spread_(makeSpread(mesh, metric, sites_, bounds_)),
       reaching_(mesh.vertexCount()),
-      lowering_(mesh, *spread_, edgeBounds_, bounds_),
-      known_(mesh, sites_, bounds_, *spread_),
-      forgottenAt_(mesh.vertexCount()) {}
+      lowering_(mesh, *spread_, edgeBounds_, bounds_, change_),
+      known_(mesh, sites_, bounds_, *spread_, change_),
+      forgottenAt_(mesh.vertexCount()) {
+  change(insertionsOf(sites));
+}
 
 // --- A change ----------------------------------------------------------------------------------
 
@@ -64,20 +67,21 @@ void SiteDistances::change(std::span<const SiteChange> changes) {
 }
 
 bool SiteDistances::step(long& budget) {
-  return sequence_.run(
-      [&] { return spread_->prepare(budget) && known_.prepare(budget); },
-      [&] {
-        return sites_.count() == 0 || reaching_.collect(*spread_, sites_.labelCount(), budget);
-      },
-      // 1. Bounds, and which labels start or resume because of them.
-      [&] { findLeaving(); }, [&] { return forget(budget); }, [&] { removeSites(); },
-      [&] { return edgeBounds_.forget(budget); }, [&] { insertSites(); },
-      [&] { return edgeBounds_.step(budget); }, [&] { return findOutdated(budget); },
-      [&] { return forget(budget); }, [&] { orderLabels(); },
-      // 2. Spread.
-      [&] { lowering_.start(change_); }, [&] { return lowering_.step(budget); },
-      // 3. Known labels.
-      [&] { known_.start(change_); }, [&] { return known_.step(budget); });
+  return sequence_.run([&] { return spread_->prepare(budget) && known_.prepare(budget); },
+                       [&] {
+                         return sites_.count() == 0 ||
+                                reaching_.collect(*spread_, sites_.labelCount(), budget);
+                       },
+                       // 1. Bounds, and which labels start or resume because of them.
+                       [&] { findLeaving(); }, [&] { return forget(budget); },
+                       [&] { removeSites(); }, [&] { return edgeBounds_.forget(budget); },
+                       [&] { insertSites(); }, [&] { return edgeBounds_.step(budget); },
+                       [&](SlicedLoop& loop) { return findOutdated(loop, budget); },
+                       [&] { return forget(budget); }, [&] { orderLabels(); },
+                       // 2. Spread.
+                       [&] { return lowering_.step(budget); },
+                       // 3. Known labels.
+                       [&] { return known_.step(budget); });
 }
 
 /// Finds the labels that lose their sites.
@@ -141,11 +145,11 @@ void SiteDistances::insertSites() {
 
 /// Finds the labels that have reached a vertex whose edge bound has changed, if their distances
 /// depend on it: these start again.
-bool SiteDistances::findOutdated(long& budget) {
+bool SiteDistances::findOutdated(SlicedLoop& loop, long& budget) {
   constexpr long kVerticesPerUnit = 8;
   if (spread_->dependsOnEdgeBounds() && sites_.count() > static_cast<int>(change_.started.size())) {
     const std::vector<int>& changed = edgeBounds_.changed();
-    if (!loop_.run(changed.size(), budget, kVerticesPerUnit, [&](int i) {
+    if (!loop.run(changed.size(), budget, kVerticesPerUnit, [&](int i) {
           for (const int label : reaching_[changed[i]]) outdated_.add(label);
         }))
       return false;

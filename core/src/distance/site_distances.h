@@ -29,15 +29,11 @@ struct SiteChange {
   std::optional<SurfacePoint> site;  ///< none: the site is removed
 };
 
-/// The changes that insert a list of sites, labelled by their index; face -1 is a label without a
-/// site.
-std::vector<SiteChange> arrivals(std::span<const SurfacePoint> sites);
-
 /// Throws `Error(kInvalidArgument)` if distances that `propagate` gave are those of another mesh.
 void requireMesh(const TriangleMesh& mesh, const DistanceField& distances);
 
-/// The distances of sites that are inserted, removed and moved. For a first diagram, all sites are
-/// inserted in one change. A change has three stages:
+/// The distances of sites that are inserted, removed and moved. The first change inserts all sites
+/// that there are to begin with. A change has three stages:
 ///
 /// 1. *Bounds* (`EdgeBounds`): the length of the shortest path along edges is an upper bound on the
 ///    distance of the nearest site at every vertex.
@@ -50,7 +46,9 @@ void requireMesh(const TriangleMesh& mesh, const DistanceField& distances);
 ///    other labels.
 class SiteDistances final : public DistanceField {
  public:
-  SiteDistances(const TriangleMesh& mesh, Metric metric);
+  /// Begins to insert sites, labelled by their index; face -1 is a label without a site. Throws as
+  /// `change` does.
+  SiteDistances(const TriangleMesh& mesh, Metric metric, std::span<const SurfacePoint> sites);
 
   /// Begins a change of some labels, each named once. The previous change must be done. Throws
   /// `Error(kInvalidPoint)`, and changes nothing, if a site is not on the mesh.
@@ -86,7 +84,7 @@ class SiteDistances final : public DistanceField {
   void forgetAt(int label, const ReachedVertex& r);
   void removeSites();
   void insertSites();
-  bool findOutdated(long& budget);
+  bool findOutdated(SlicedLoop& loop, long& budget);
   void orderLabels();
   bool isKnownAround(int label, const SurfacePoint& p) const;
 
@@ -96,6 +94,7 @@ class SiteDistances final : public DistanceField {
   EdgeBounds edgeBounds_;
   NearestBounds bounds_;
   std::unique_ptr<LabelSpread> spread_;
+  LabelChange change_;  ///< the current one
   ReachingLabels reaching_;
   BoundsLowering lowering_;
   KnownLabels known_;
@@ -103,9 +102,7 @@ class SiteDistances final : public DistanceField {
   // The current change.
   std::vector<SiteChange> changes_;
   SlicedSequence sequence_, forgetting_;
-  SlicedLoop loop_;
   ReachedLoop reachedLoop_;
-  LabelChange change_;
   std::vector<int> forgotten_;         ///< labels that leave, then those that start again
   IndexSet forgottenAt_;               ///< vertices where a label was forgotten
   IndexSet resumed_{0}, outdated_{0};  ///< labels

@@ -11,9 +11,11 @@ namespace gvd {
 
 VertexCovering::VertexCovering(const TriangleMesh& mesh, double radius, std::size_t most,
                                std::vector<SurfacePoint>& points)
-    : mesh_(mesh), radius_(radius), most_(most), points_(points), distances_(mesh, Metric::kExact) {
-  distances_.change(arrivals(points));
-}
+    : mesh_(mesh),
+      radius_(radius),
+      most_(most),
+      points_(points),
+      distances_(mesh, Metric::kExact, points) {}
 
 bool VertexCovering::step(long& budget) {
   while (round_.run([&] { return distances_.step(budget); },
