@@ -408,11 +408,13 @@ TEST(Windows, CrossInAFewBatchesOnGradedMeshes) {
   const TriangleMesh alone = shapes::grid(100, 100, 0.24, 1).mesh(), beside = shape.mesh();
   const auto batches = [](const TriangleMesh& mesh) {
     NearestBounds bounds(mesh);
-    exact::WindowSweep sweep(mesh, bounds);
+    SiteSet sites(mesh);
+    sites.insert(0, {0, {0.2, 0.3, 0.5}});
+    exact::WindowSweep sweep(mesh, sites, bounds);
     long enough = kUnlimited;
     sweep.prepare(enough);
     exact::LabelState state;
-    sweep.start(0, {0, {0.2, 0.3, 0.5}}, state);
+    sweep.start(0, state);
     const long most = std::numeric_limits<long>::max();
     long budget = most;
     sweep.step(budget);
@@ -443,12 +445,11 @@ TEST(Windows, LeaveNothingToTheNextSearchWhenMemoryRunsOut) {
   const SurfacePoint p{0, {0.2, 0.3, 0.5}}, farther{mesh.faceCount() - 1, {0.2, 0.3, 0.5}};
   NearestBounds bounds(mesh);
   const auto search = [&](exact::WindowSweep& sweep, const SurfacePoint& from, long calls) {
-    exact::LabelState state;
-    sweep.search(from, ScarceBounds(calls), sites, state);
+    const exact::LabelState state = sweep.search(from, ScarceBounds(calls));
     return std::pair(sweep.searched().shortest(), state.vertices.size());
   };
   constexpr long kEnough = 1L << 40;
-  exact::WindowSweep fresh(mesh, bounds), used(mesh, bounds);
+  exact::WindowSweep fresh(mesh, sites, bounds), used(mesh, sites, bounds);
   for (exact::WindowSweep* sweep : {&fresh, &used}) {
     long enough = kUnlimited;
     sweep->prepare(enough);

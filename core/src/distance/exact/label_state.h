@@ -11,16 +11,18 @@ namespace gvd::exact {
 
 /// The last piece of the path that gives a label's distance at a vertex.
 struct LastPiece {
-  double crossing;        ///< where the path crosses `arrival`, from its tail
-  double sourceDistance;  ///< of the last vertex at which the path turns; 0: it runs straight
+  double crossing = 0;        ///< where the path crosses `arrival`, from its tail
+  double sourceDistance = 0;  ///< of the last vertex at which the path turns; 0: it runs straight
   /// If the path runs straight, the angle of `arrival` in the site's frame; otherwise the angle at
   /// which the path leaves the site.
-  double direction;
+  double direction = 0;
   /// The halfedge across which the path enters its last face, of which the vertex is the apex; -1
-  /// if the path starts at the vertex.
-  int arrival;
+  /// if the site is at the vertex.
+  int arrival = -1;
   PathKind kind = PathKind::kStraight;  ///< of this piece
 
+  /// Whether the site is at the vertex.
+  bool isAtSite() const { return arrival < 0; }
   /// Whether the path runs straight from the site.
   bool isFromSite() const { return sourceDistance == 0; }
 };

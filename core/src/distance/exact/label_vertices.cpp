@@ -47,7 +47,7 @@ void LabelVertices::store(LabelState& state) {
   state.pieces.resize(reached_.size());
   for (std::size_t i = 0; i < reached_.size(); ++i) {
     Vertex& own = all_[reached_[i]];
-    own.isFinal |= own.required != RequiredDistances::kNone;
+    own.isFinal |= own.isRequired();
     own.required = RequiredDistances::kNone;
     state.vertices[i] = {reached_[i], own.isFinal, own.distance};
     state.pieces[i] = own.piece;

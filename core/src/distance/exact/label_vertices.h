@@ -18,11 +18,13 @@ class LabelVertices {
   /// The label's shortest path to a vertex so far; as initialized where it has found none.
   struct alignas(64) Vertex {
     double distance = kInfinity;
-    LastPiece piece = {0, 0, 0, -1};
+    LastPiece piece = {};
     int index = -1;                           ///< in the label's state
     int required = RequiredDistances::kNone;  ///< index in the required distances
     bool isFinal = false, isQueued = false;
     bool isSaddle = false;  ///< of the mesh, whatever the label
+
+    bool isRequired() const { return required != RequiredDistances::kNone; }
   };
 
   explicit LabelVertices(const TriangleMesh& mesh) : mesh_(mesh) {}
@@ -46,7 +48,6 @@ class LabelVertices {
   }
   /// Infinity unless the label has reached the vertex.
   double distance(int v) const { return all_[v].distance; }
-  bool isRequired(int v) const { return all_[v].required != RequiredDistances::kNone; }
 
  private:
   void add(int v);

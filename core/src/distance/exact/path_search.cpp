@@ -42,7 +42,7 @@ class PathSearch final : public SlicedWork<std::vector<SurfacePoint>> {
         end_(mesh),
         edgeBounds_(mesh, end_),
         nearest_(mesh, 0),
-        sweep_(mesh, nearest_) {
+        sweep_(mesh, end_, nearest_) {
     end_.insert(kLabel, to);
     edgeBounds_.insert(kLabel);
   }
@@ -90,7 +90,7 @@ class PathSearch final : public SlicedWork<std::vector<SurfacePoint>> {
 
   /// Searches for paths of at most this length.
   void startSearch(double most) {
-    sweep_.startWaiting(kLabel, to_, state_);
+    sweep_.startWaiting(kLabel, state_);
     long budget = kUnlimited;
     sweep_.step(budget);
     const exact::RequiredPoint point = {from_, most, 0};

@@ -84,7 +84,7 @@ std::vector<double> PointDistances::result() {
 
 bool PointDistances::spread(long& budget) {
   if (!open_.empty() && !sweep_)
-    sweep_ = spare_ ? std::move(spare_) : std::make_unique<WindowSweep>(mesh_, bounds_);
+    sweep_ = spare_ ? std::move(spare_) : std::make_unique<WindowSweep>(mesh_, sites_, bounds_);
   if (sweep_ && !sweep_->prepare(budget)) return false;
   while (doneCount_ < open_.size()) {
     if (stage_ == Stage::kNone) startLabel();
@@ -116,7 +116,7 @@ void PointDistances::startLabel() {
     const SurfacePoint& p = points_[i].point;
     required_.push_back({p, straightTo(label_, p), nearestAtLeast(p)});
   }
-  sweep_->start(label_, sites_[label_], state_, required_);
+  sweep_->start(label_, state_, required_);
   stage_ = Stage::kSpread;
 }
 

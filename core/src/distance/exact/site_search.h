@@ -28,11 +28,10 @@ class SearchBounds {
 /// them (`WindowSweep::search`).
 class SiteSearch {
  public:
-  explicit SiteSearch(const TieTolerance& ties) : ties_(ties) {}
+  SiteSearch(const TieTolerance& ties, const SiteSet& sites) : ties_(ties), sites_(sites) {}
 
-  void start(const SearchBounds& bounds, const SiteSet& sites) {
+  void start(const SearchBounds& bounds) {
     bounds_ = &bounds;
-    sites_ = &sites;
     shortest_ = kInfinity;
     found_.clear();
   }
@@ -59,14 +58,14 @@ class SiteSearch {
   /// Calls `visit` with each site in a face that is searched for and on no vertex.
   template <class Visit>
   void visitSites(int face, Visit visit) const {
-    for (const FaceSite& site : sites_->inFace(face))
+    for (const FaceSite& site : sites_.inFace(face))
       if (bounds_->isSought(site.label) && incidenceOf(site.bary).corner < 0) visit(site);
   }
 
  private:
   const TieTolerance& ties_;
+  const SiteSet& sites_;
   const SearchBounds* bounds_ = nullptr;
-  const SiteSet* sites_ = nullptr;
   double shortest_ = kInfinity;
   std::vector<LabelledDistance> found_;
 };

@@ -74,8 +74,7 @@ WindowSweep::Portal WindowSweep::portal(int h, double length, const End& tail,
           length,
           {tail.own, tip.own},
           {tail.limit, tip.limit},
-          (to_ == SpreadTo::kOwned || to_ == SpreadTo::kSites) &&
-              (tail.limit < tail.own || tip.limit < tip.own)};
+          to_ != SpreadTo::kRequired && (tail.limit < tail.own || tip.limit < tip.own)};
 }
 
 WindowSweep::Portal WindowSweep::portalTo(int h) const {

@@ -29,7 +29,7 @@ constexpr double kSourceError = 1e-6;
 class WindowPath {
  public:
   /// Begins the path at a point.
-  WindowPath(const TriangleMesh& mesh, const SurfacePoint& site, const LabelState& label,
+  WindowPath(const TriangleMesh& mesh, const SurfacePoint& site, const LabelState& state,
              const ReachedIndex& index, const SurfacePoint& p);
 
   /// Offers a window of a face that the point lies in; `place` is the point in that face.
@@ -58,11 +58,11 @@ class WindowPath {
   }
 
   double distanceAt(int vertex) const {
-    return index_[vertex] < 0 ? kInfinity : label_.vertices[index_[vertex]].distance;
+    return index_[vertex] < 0 ? kInfinity : state_.vertices[index_[vertex]].distance;
   }
 
   const TriangleMesh& mesh_;
-  const LabelState& label_;
+  const LabelState& state_;
   PathPoints points_;
   const ReachedIndex& index_;
   /// The distance at the path's last vertex. The next vertex must be nearer to the site, so the
@@ -77,9 +77,9 @@ class WindowPath {
 
 // --- The beginning -----------------------------------------------------------------------------
 
-WindowPath::WindowPath(const TriangleMesh& mesh, const SurfacePoint& site, const LabelState& label,
+WindowPath::WindowPath(const TriangleMesh& mesh, const SurfacePoint& site, const LabelState& state,
                        const ReachedIndex& index, const SurfacePoint& p)
-    : mesh_(mesh), label_(label), points_(mesh, site), index_(index) {
+    : mesh_(mesh), state_(state), points_(mesh, site), index_(index) {
   points_.add(p);
   visitCornersAround(mesh_, p, [&](int vertex, double length, const SurfacePoint&) {
     least_ = std::min(least_, distanceAt(vertex) + length);
@@ -114,7 +114,7 @@ std::vector<SurfacePoint> WindowPath::take() {
 
 /// The last piece of the path to a vertex. Its face does not have the site.
 WindowPath::Piece WindowPath::lastPiece(int vertex) const {
-  const LastPiece& last = label_.pieces[index_[vertex]];
+  const LastPiece& last = state_.pieces[index_[vertex]];
   const TriangleMesh::Face& face = mesh_.face(last.arrival / 3);
   const int i = last.arrival % 3;
   const Vector2d apex = apexOf(face, i);
@@ -162,15 +162,15 @@ bool WindowPath::leadsOn(int vertex, double distance) const {
 // --- The path of a label -----------------------------------------------------------------------
 
 std::vector<SurfacePoint> pathToSite(const TriangleMesh& mesh, const SurfacePoint& site,
-                                     const LabelState& label, const ReachedIndex& index,
+                                     const LabelState& state, const ReachedIndex& index,
                                      const SurfacePoint& p) {
-  WindowPath path(mesh, site, label, index, p);
+  WindowPath path(mesh, site, state, index, p);
   if (vertexAt(mesh, p) >= 0) return path.take();
   visitRepresentations(mesh, p, [&](const SurfacePoint& place) {
     for (int i = 0; i < 3; ++i) {
       if (place.bary[cornerBefore(i)] == 0) continue;  // on the side: see the face beyond
       const int halfedge = 3 * place.face + i;
-      for (const WaitingWindow& w : label.waiting.windows)
+      for (const WaitingWindow& w : state.waiting.windows)
         if (w.halfedge == halfedge) path.offer(w.window, halfedge, place);
     }
   });

@@ -10,10 +10,10 @@
 
 namespace gvd::exact {
 
-/// The shortest path from a point to the site of a label that has reached it. For a point that is
-/// no vertex, the windows of its faces must be among the label's waiting windows.
+/// The shortest path from a point to the site of a label that has reached it, by the label's state.
+/// For a point that is no vertex, the windows of its faces must be among the waiting ones.
 std::vector<SurfacePoint> pathToSite(const TriangleMesh& mesh, const SurfacePoint& site,
-                                     const LabelState& label, const ReachedIndex& index,
+                                     const LabelState& state, const ReachedIndex& index,
                                      const SurfacePoint& p);
 
 }  // namespace gvd::exact

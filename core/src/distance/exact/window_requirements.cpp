@@ -56,20 +56,15 @@ void WindowSweep::visitWaiting(Visit visit) const {
 void WindowSweep::requireCorners(int f, double atMost) {
   for (const int v : mesh_.face(f).vertices) {
     Vertex& own = vertices_.reach(v);
-    if (own.isFinal | (own.required != RequiredDistances::kNone)) continue;
+    if (own.isFinal | own.isRequired()) continue;
     own.required = required_.add(placeOf(v), std::min(own.distance, atMost), bounds_[v].distance);
   }
 }
 
 bool WindowSweep::hasRequiredCorner(int f) const {
   const TriangleMesh::Face& face = mesh_.face(f);
-  return vertices_.isRequired(face.vertices[0]) + vertices_.isRequired(face.vertices[1]) +
-             vertices_.isRequired(face.vertices[2]) >
-         0;
-}
-
-void WindowSweep::offerRequired(int v, double distance, const LastPiece& piece) {
-  if (vertices_.isRequired(v)) offer(v, distance, piece);
+  return vertices_[face.vertices[0]].isRequired() | vertices_[face.vertices[1]].isRequired() |
+         vertices_[face.vertices[2]].isRequired();
 }
 
 /// Offers the corners of a face the paths along its sides from other corners.
@@ -79,11 +74,11 @@ void WindowSweep::offerAlongSides(int f) {
     const int v = face.vertices[i];
     const double distance = vertices_[v].distance;
     // All neighbours of a site on a vertex know it.
-    if (distance == kInfinity || vertices_[v].piece.arrival < 0) continue;
+    if (distance == kInfinity || vertices_[v].piece.isAtSite()) continue;
     const auto offerTo = [&](int corner, double length, int arrival, double crossing) {
       const int to = face.vertices[corner];
       const bool isShorter = distance + length < vertices_[to].distance;
-      if (vertices_.isRequired(to) & isShorter)
+      if (vertices_[to].isRequired() & isShorter)
         offer(to, distance + length,
               {crossing, distance, directionAt(v), arrival, PathKind::kBent});
     };
@@ -100,7 +95,7 @@ void WindowSweep::offerToCorners(const Window& w, int h) {
   const int i = h % 3, j = cornerAfter(i), k = cornerBefore(i);
   const double length = face.lengths[i];
   const double grazed = grazing(length);
-  if (vertices_.isRequired(face.vertices[k])) {
+  if (vertices_[face.vertices[k]].isRequired()) {
     const Eigen::Vector2d p = apexOf(face, i);
     const double straight = w.crossing(p.x(), p.y());
     const double crossing = std::clamp(straight, w.begin, w.end);
@@ -110,27 +105,25 @@ void WindowSweep::offerToCorners(const Window& w, int h) {
         std::abs(crossing - straight) > grazed && (crossing < grazed || crossing > length - grazed);
     if (!turnsAtVertex) {
       const PathLength path = w.path(p.x(), p.y());
-      offerRequired(face.vertices[k], path.length,
-                    {crossing, w.sourceDistance, w.direction, h, path.kind});
+      offer(face.vertices[k], path.length, {crossing, w.sourceDistance, w.direction, h, path.kind});
     }
   }
   // Along the halfedge from an end of the window. A window that ends at the vertex has offered the
   // straight path already, with the direction in which it arrives.
-  if (vertices_.isRequired(face.vertices[i]) && w.begin > grazed)
-    offerRequired(face.vertices[i], w.distanceOnEdge(w.begin) + w.begin,
-                  {0, w.sourceDistance, w.direction, h - i + j, PathKind::kBent});
-  if (vertices_.isRequired(face.vertices[j]) && w.end < length - grazed)
-    offerRequired(face.vertices[j], w.distanceOnEdge(w.end) + length - w.end,
-                  {face.lengths[k], w.sourceDistance, w.direction, h - i + k, PathKind::kBent});
+  if (vertices_[face.vertices[i]].isRequired() && w.begin > grazed)
+    offer(face.vertices[i], w.distanceOnEdge(w.begin) + w.begin,
+          {0, w.sourceDistance, w.direction, h - i + j, PathKind::kBent});
+  if (vertices_[face.vertices[j]].isRequired() && w.end < length - grazed)
+    offer(face.vertices[j], w.distanceOnEdge(w.end) + length - w.end,
+          {face.lengths[k], w.sourceDistance, w.direction, h - i + k, PathKind::kBent});
 }
 
 // --- Points --------------------------------------------------------------------------------------
 
-void WindowSweep::start(int label, const SurfacePoint& site, LabelState& state,
-                        std::span<const RequiredPoint> points) {
+void WindowSweep::start(int label, LabelState& state, std::span<const RequiredPoint> points) {
   begin(label, SpreadTo::kOwned, state);
   addPoints(points);
-  startAt(site);
+  startAt(sites_[label]);
 }
 
 void WindowSweep::require(int label, LabelState& state, std::span<const RequiredPoint> points) {
@@ -172,10 +165,11 @@ void WindowSweep::offerToPoints(const Window& w, int h) {
 }
 
 /// Offers the straight paths from a corner of a face to its required points.
-void WindowSweep::offerToPointsFrom(int v, int corner, int f) {
+void WindowSweep::offerToPointsFrom(int corner, int f) {
+  const TriangleMesh::Face& face = mesh_.face(f);
   for (const auto& p : points_.in(f))
-    required_.lower(p.index,
-                    vertices_[v].distance + wayToCorner(mesh_.face(f), p.bary, corner).norm());
+    required_.lower(p.index, vertices_.distance(face.vertices[corner]) +
+                                 wayToCorner(face, p.bary, corner).norm());
 }
 
 // --- Which windows go on -------------------------------------------------------------------------

@@ -9,10 +9,10 @@
 
 namespace gvd::exact {
 
-void WindowSweep::search(const SurfacePoint& p, const SearchBounds& bounds, const SiteSet& sites,
-                         LabelState& state) {
+LabelState WindowSweep::search(const SurfacePoint& p, const SearchBounds& bounds) {
+  LabelState state;
   begin(-1, SpreadTo::kSites, state);
-  search_.start(bounds, sites);
+  search_.start(bounds);
   visitRepresentations(mesh_, p, [&](const SurfacePoint& place) {
     const TriangleMesh::Face& face = mesh_.face(place.face);
     for (int i = 0; i < 3; ++i)
@@ -24,6 +24,8 @@ void WindowSweep::search(const SurfacePoint& p, const SearchBounds& bounds, cons
   if (search_.shortest() < kInfinity) startAt(p);
   long budget = kUnlimited;
   step(budget);
+  state_ = nullptr;
+  return state;
 }
 
 /// Offers the straight paths through windows to the sites in their face.

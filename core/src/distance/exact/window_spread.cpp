@@ -17,7 +17,7 @@ WindowSpread::WindowSpread(const TriangleMesh& mesh, const SiteSet& sites, Neare
     : mesh_(mesh),
       sites_(sites),
       bounds_(bounds),
-      sweep_(mesh, bounds),
+      sweep_(mesh, sites, bounds),
       index_(mesh.vertexCount()) {}
 
 // --- At vertices -------------------------------------------------------------------------------
@@ -27,7 +27,7 @@ LabelState& WindowSpread::stateOf(int label) {
   return labels_[label];
 }
 
-void WindowSpread::start(int label) { sweep_.start(label, sites_[label], stateOf(label)); }
+void WindowSpread::start(int label) { sweep_.start(label, stateOf(label)); }
 
 void WindowSpread::resume(int label) { sweep_.resume(label, stateOf(label)); }
 
@@ -49,7 +49,7 @@ void WindowSpread::remove(std::span<const int> labels) {
 
 Eigen::Vector2d WindowSpread::direction(int label, int index) const {
   const LastPiece& piece = labels_[label].pieces[index];
-  if (piece.arrival < 0) return {1, 0};
+  if (piece.isAtSite()) return {1, 0};
   if (!piece.isFromSite()) return unitVector(piece.direction);
   const TriangleMesh::Face& face = mesh_.face(piece.arrival / 3);
   const int i = piece.arrival % 3;
@@ -104,10 +104,9 @@ std::vector<LabelledDistance> WindowSpread::nearestAt(const SurfacePoint& p,
     else
       found->distance = std::min(found->distance, distance);
   };
-  searched_ = {};
-  sweep_.search(p, NearestLabels(bounds_), sites_, searched_);
+  const LabelState fromPoint = sweep_.search(p, NearestLabels(bounds_));
   for (const LabelledDistance& site : sweep_.searched().found()) offer(site.label, site.distance);
-  for (const ReachedVertex& r : searched_.vertices)
+  for (const ReachedVertex& r : fromPoint.vertices)
     if (bounds_.ties().isAtMost(r.distance + bounds_[r.vertex].distance,
                                 sweep_.searched().shortest()))
       for (const LabelledDistance& d : known[r.vertex]) offer(d.label, r.distance + d.distance);
@@ -129,8 +128,7 @@ std::vector<SurfacePoint> WindowSpread::path(int label, const SurfacePoint& p) {
     index_.reset(state.vertices);
     return pathToSite(mesh_, sites_[label], state, index_, p);
   }
-  searched_ = {};
-  sweep_.search(p, NearestLabels(bounds_), sites_, searched_);
+  sweep_.search(p, NearestLabels(bounds_));
   const double nearest = sweep_.searched().shortest();
   std::vector<SurfacePoint> path = pathBack(p, label, state);
   if (bounds_.ties().isAtMost(sweep_.searched().shortest(), nearest)) return path;
@@ -151,21 +149,20 @@ std::vector<SurfacePoint> WindowSpread::pathBack(const SurfacePoint& p, int labe
                                                  const LabelState& state) {
   index_.reset(state.vertices);
   const OneLabel ofLabel(label, state, index_, bounds_);
-  searched_ = {};
-  sweep_.search(p, ofLabel, sites_, searched_);
+  const LabelState fromPoint = sweep_.search(p, ofLabel);
   int vertex = -1;
   double least = kInfinity;
   for (const LabelledDistance& site : sweep_.searched().found())
     least = std::min(least, site.distance);
-  for (const ReachedVertex& r : searched_.vertices)
+  for (const ReachedVertex& r : fromPoint.vertices)
     if (r.distance + ofLabel.atMost(r.vertex) < least) {
       least = r.distance + ofLabel.atMost(r.vertex);
       vertex = r.vertex;
     }
   const bool endsAtSite = vertex < 0 || ofLabel.atMost(vertex) == 0;
   const SurfacePoint end = endsAtSite ? sites_[label] : pointAtVertex(mesh_, vertex);
-  index_.reset(searched_.vertices);
-  std::vector<SurfacePoint> path = pathToSite(mesh_, p, searched_, index_, end);
+  index_.reset(fromPoint.vertices);
+  std::vector<SurfacePoint> path = pathToSite(mesh_, p, fromPoint, index_, end);
   std::reverse(path.begin(), path.end());
   if (endsAtSite || path.empty()) return path;
   index_.reset(state.vertices);

@@ -52,7 +52,6 @@ class WindowSpread final : public LabelSpread {
   const SiteSet& sites_;
   NearestBounds& bounds_;
   WindowSweep sweep_;
-  LabelState searched_;  ///< the result of the last search from a point
   ReachedIndex index_;
   std::vector<LabelState> labels_;
   FoundDistances found_;

@@ -34,15 +34,16 @@ constexpr double kFarthestTie = 8;
 
 }  // namespace
 
-WindowSweep::WindowSweep(const TriangleMesh& mesh, NearestBounds& bounds)
+WindowSweep::WindowSweep(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds)
     : mesh_(mesh),
+      sites_(sites),
       bounds_(bounds),
       leastGrazing_(kRoundingOfLines * longestEdge(mesh)),
       tieMargin_(kDistanceTolerance * kFarthestTie * mesh.boundingDiagonal()),
       fan_(mesh, leastGrazing_),
       revisits_(mesh),
       required_(mesh.boundingDiagonal()),
-      search_(bounds.ties()),
+      search_(bounds.ties(), sites),
       vertices_(mesh),
       queue_(kBucketsPerEdge / mesh.shortEdgeLength()) {}
 
@@ -71,15 +72,15 @@ void WindowSweep::dropLeftovers() {
   while (queue_.advance()) queue_.take();
 }
 
-void WindowSweep::start(int label, const SurfacePoint& site, LabelState& state) {
+void WindowSweep::start(int label, LabelState& state) {
   begin(label, SpreadTo::kOwned, state);
-  startAt(site);
+  startAt(sites_[label]);
 }
 
 /// As long as nothing is required, no window of a label that spreads to required distances goes on.
-void WindowSweep::startWaiting(int label, const SurfacePoint& site, LabelState& state) {
+void WindowSweep::startWaiting(int label, LabelState& state) {
   begin(label, SpreadTo::kRequired, state);
-  startAt(site);
+  startAt(sites_[label]);
 }
 
 void WindowSweep::resume(int label, LabelState& state) {
@@ -130,10 +131,9 @@ void WindowSweep::store() {
 // --- The site and the vertices -----------------------------------------------------------------
 
 void WindowSweep::startAt(const SurfacePoint& site) {
-  site_ = site;
   const Incidence incidence = incidenceOf(site.bary);
   if (incidence.corner >= 0) {
-    offer(mesh_.face(site.face).vertices[incidence.corner], 0, {0, 0, 0, -1});
+    offer(mesh_.face(site.face).vertices[incidence.corner], 0, {});
     return;
   }
   double angle = 0;  // of side i in the site's frame
@@ -184,15 +184,15 @@ void WindowSweep::offer(int v, double distance, const LastPiece& piece) {
     search_.offerVertex(v, distance);
     return;  // the rest of the path is known
   }
-  if (own.required != RequiredDistances::kNone) required_.lower(own.required, distance);
+  if (own.isRequired()) required_.lower(own.required, distance);
   if (points_.isEmpty()) bounds_.lower(v, label_, distance);
-  if (own.isSaddle || piece.arrival < 0) queueSource(v);
+  if (own.isSaddle || piece.isAtSite()) queueSource(v);
 }
 
 /// The angle at which the path to a vertex leaves the site.
 double WindowSweep::directionAt(int v) const {
   const LastPiece& piece = vertices_[v].piece;
-  if (!piece.isFromSite() || piece.arrival < 0) return piece.direction;
+  if (!piece.isFromSite() || piece.isAtSite()) return piece.direction;
   const TriangleMesh::Face& face = mesh_.face(piece.arrival / 3);
   const int i = piece.arrival % 3;
   const Eigen::Vector2d apex = apexOf(face, i);
@@ -236,11 +236,11 @@ void WindowSweep::becomeSource(int v) {
   }
   const auto sides = fan_.sides(v, own.piece.arrival, own.piece.crossing);
   if (sides.empty()) return;
-  const bool isSite = own.piece.arrival < 0;
+  const bool isSite = own.piece.isAtSite();
   double direction =
-      isSite ? angleOfOutgoing(mesh_, site_, sides.front().outgoing) : directionAt(v);
+      isSite ? angleOfOutgoing(mesh_, sites_[label_], sides.front().outgoing) : directionAt(v);
   for (const OppositeSide& side : sides) {
-    emit(v, side, direction, isSite);
+    emit(v, side, direction);
     if (isSite) direction += mesh_.cornerAngle(side.outgoing);  // the sides of a site go all around
   }
 }
@@ -257,13 +257,14 @@ bool WindowSweep::maySpreadFrom(int v) {
 /// Spreads a virtual source into a face around it: offers the corners their distances and starts a
 /// window through the opposite side. `direction` is the angle at which the path to the vertex
 /// leaves the site or, if the site is the vertex, the angle of the outgoing halfedge.
-void WindowSweep::emit(int v, const OppositeSide& side, double direction, bool isSite) {
+void WindowSweep::emit(int v, const OppositeSide& side, double direction) {
   const double distance = vertices_[v].distance;
+  const bool isSite = vertices_[v].piece.isAtSite();
   const int o = side.outgoing, f = o / 3, i = o % 3;
   const int j = cornerAfter(i), k = cornerBefore(i);
   const TriangleMesh::Face& face = mesh_.face(f);
   const double length = face.lengths[j];
-  if (!points_.isEmpty()) offerToPointsFrom(v, i, f);
+  if (!points_.isEmpty()) offerToPointsFrom(i, f);
   if (side.from <= grazing(length))
     offer(face.vertices[j], distance + face.lengths[i],
           {face.lengths[k], distance, isSite ? direction - kPi + mesh_.cornerAngle(o) : direction,

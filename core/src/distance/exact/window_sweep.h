@@ -48,14 +48,14 @@ struct RequiredPoint {
 class WindowSweep {
  public:
   /// Reads `bounds`, and lowers them to the distances that labels find.
-  WindowSweep(const TriangleMesh& mesh, NearestBounds& bounds);
+  WindowSweep(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds);
   /// Allocates the working memory, in slices; true when it is there. Before anything else.
   bool prepare(long& budget);
 
   /// Begins to spread a new label, while no other label is nearer.
-  void start(int label, const SurfacePoint& site, LabelState& state);
+  void start(int label, LabelState& state);
   /// Begins a new label whose windows all wait at the faces around its site.
-  void startWaiting(int label, const SurfacePoint& site, LabelState& state);
+  void startWaiting(int label, LabelState& state);
   /// Begins to spread a label on from its waiting windows, because bounds have risen.
   void resume(int label, LabelState& state);
   /// Begins to spread a label on to all corners of some faces, whose distances are at most
@@ -63,8 +63,7 @@ class WindowSweep {
   long require(int label, LabelState& state, std::span<const int> faces, double atMost = kInfinity);
   /// Begins to spread a new label, to find its distances at points in faces that it crosses. Does
   /// not lower bounds.
-  void start(int label, const SurfacePoint& site, LabelState& state,
-             std::span<const RequiredPoint> points);
+  void start(int label, LabelState& state, std::span<const RequiredPoint> points);
   /// Begins to spread a label on to some points. Does not lower bounds. If there is a single point,
   /// the windows of its faces wait there when `step` is done, for `pathToSite`.
   void require(int label, LabelState& state, std::span<const RequiredPoint> points);
@@ -76,11 +75,10 @@ class WindowSweep {
   /// through a place on an edge is as long as the window's distance there plus the site's. The
   /// latter is at least the site's distance at an end of the edge minus the way from that end.
   /// Windows whose paths must be longer than a known path are cut off, so only a strip of few faces
-  /// around the shortest path remains. Does not lower bounds. Done when it returns; windows that
-  /// see a site then wait at the site's face.
-  void search(const SurfacePoint& p, const SearchBounds& bounds, const SiteSet& sites,
-              LabelState& state);
-  /// What the last search has found.
+  /// around the shortest path remains. Does not lower bounds. Returns what a label of this point
+  /// has reached; the windows that see a site wait at the site's face.
+  LabelState search(const SurfacePoint& p, const SearchBounds& bounds);
+  /// The sites that the last search has found.
   const SiteSearch& searched() const { return search_; }
   /// Works for `budget` units and lowers it by their number; true when the label is done and its
   /// state is stored.
@@ -134,7 +132,7 @@ class WindowSweep {
   void prefetchTurn(int item) const;
   void becomeSource(int vertex);
   bool maySpreadFrom(int vertex);
-  void emit(int vertex, const OppositeSide& side, double direction, bool isSite);
+  void emit(int vertex, const OppositeSide& side, double direction);
 
   // window_crossing.cpp: windows that arrive at a halfedge and cross its face.
   /// Returns the number of windows of the batch.
@@ -156,9 +154,8 @@ class WindowSweep {
   void addPoints(std::span<const RequiredPoint> points);
   void addPoint(const SurfacePoint& point, int index);
   void offerToPoints(const Window& w, int halfedge);
-  void offerToPointsFrom(int vertex, int corner, int face);
+  void offerToPointsFrom(int corner, int face);
   bool hasRequiredCorner(int face) const;
-  void offerRequired(int vertex, double distance, const LastPiece& piece);
   void offerAlongSides(int face);
   void offerToCorners(const Window& w, int halfedge);
   template <class Visit>
@@ -176,6 +173,7 @@ class WindowSweep {
   double grazing(double length) const { return std::max(kGrazing * length, leastGrazing_); }
 
   const TriangleMesh& mesh_;
+  const SiteSet& sites_;
   NearestBounds& bounds_;
   const double leastGrazing_;  ///< by which lines round that have crossed the longest edge
   /// A label spreads on while it is farther than another one by at most this. Two labels that tie
@@ -191,7 +189,6 @@ class WindowSweep {
   SpreadTo to_ = SpreadTo::kOwned;
   bool isUnderWay_ = false;  ///< until its state is stored
   LabelState* state_ = nullptr;
-  SurfacePoint site_;
   RequiredDistances required_;
   PointsByFace points_;
   SiteSearch search_;  ///< if the label is a point that searches
