@@ -38,9 +38,9 @@ bool ComplexBuilding::step(long& budget) {
                        },
                        [&] { return matchTwins(budget); },
                        [&] { complex_.soleOwner_.reserve(complex_.elementCount()); },
-                       [&] {
-                         return loop_.run(complex_.elementCount(), budget, kQuickRounds,
-                                          [&](int e) { findOwner(e); });
+                       [&](SlicedLoop& loop) {
+                         return loop.run(complex_.elementCount(), budget, kQuickRounds,
+                                         [&](int e) { findOwner(e); });
                        });
 }
 

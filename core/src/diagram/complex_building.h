@@ -48,7 +48,6 @@ class ComplexBuilding {
   FaceComplex complex_;
 
   SlicedSequence sequence_, adding_;
-  SlicedLoop loop_;
   double partsExpected_ = 0;  ///< of mixed faces
   std::optional<ElementSplitting> splitting_;
 };

@@ -75,13 +75,13 @@ class Tracing final : public SlicedWork<TracedDiagram> {
         },
         [&] { return arcs_.step(budget); },
         [&] { return runPart(voronoiPoints_, budget, graph_, *outlines_, points_, out_); },
-        [&] { return collectLoops(budget); },
+        [&](SlicedLoop& loop) { return collectLoops(loop, budget); },
         [&] { return runPart(cells_, budget, complex_, graph_, points_, out_); });
   }
 
-  bool collectLoops(long& budget) {
+  bool collectLoops(SlicedLoop& loop, long& budget) {
     out_.loops.points.reserve(outlines_->pointCount());
-    return loop_.run(outlines_->size(), budget, 1, [&](int outline) {
+    return loop.run(outlines_->size(), budget, 1, [&](int outline) {
       for (const int p : outlines_->points(outline)) out_.loops.points.push_back(points_.number(p));
       out_.loops.offset.push_back(static_cast<int>(out_.loops.points.size()));
       out_.loopLabel.push_back(outlines_->label(outline));
@@ -97,7 +97,6 @@ class Tracing final : public SlicedWork<TracedDiagram> {
   NodePoints& nodePoints_;
 
   SlicedSequence sequence_, tracing_;
-  SlicedLoop loop_;
   BisectorGraph graph_;
   Diagram out_;
   FinalPoints points_{graph_, out_.points};
@@ -145,7 +144,6 @@ class FullTracing final : public SlicedWork<TracedDiagram> {
   const DistanceField& distances_;
   const int siteCount_;
   SlicedSequence sequence_;
-  SlicedLoop loop_;
   ComplexBuilding building_;
   NodePoints nodePoints_;
   Tracing tracing_;

@@ -34,21 +34,21 @@ void EdgeBounds::offerFrom(const FaceSite& site, int face) {
 }
 
 void EdgeBounds::remove(int label, const SurfacePoint& site) {
-  const auto takeNextToSite = [&](int v) {
-    if (vertices_[v].label == label && vertices_[v].from == kNone) take(v);
+  const auto forgetNextToSite = [&](int v) {
+    if (vertices_[v].label == label && vertices_[v].from == kNone) forgetBound(v);
   };
   for (int h = 3 * site.face; h < 3 * site.face + 3; ++h) {
-    takeNextToSite(mesh_.tail(h));
-    if (mesh_.twin(h) >= 0) takeNextToSite(mesh_.tail(TriangleMesh::previous(mesh_.twin(h))));
+    forgetNextToSite(mesh_.tail(h));
+    if (mesh_.twin(h) >= 0) forgetNextToSite(mesh_.tail(TriangleMesh::previous(mesh_.twin(h))));
   }
 }
 
-void EdgeBounds::take(int vertex) {
+void EdgeBounds::forgetBound(int vertex) {
   Vertex& own = vertices_[vertex];
   own.bound = kInfinity;
   own.label = own.from = kNone;
   changed_.add(vertex);
-  former_.push_back(vertex);
+  forgotten_.push_back(vertex);
 }
 
 /// The neighbours of the vertices, and the sites in the faces around them, offer bounds anew.
@@ -56,16 +56,17 @@ void EdgeBounds::take(int vertex) {
 /// long after one of them was shortened, and the vertex then keeps the label that the path no
 /// longer leads to.
 bool EdgeBounds::forget(long& budget) {
-  for (; taken_ < former_.size(); ++taken_) {
+  for (; followed_ < forgotten_.size(); ++followed_) {
     if (budget-- <= 0) return false;
-    const int from = former_[taken_];
+    const int from = forgotten_[followed_];
     mesh_.visitNeighbours(from, [&](int v) {
-      if (vertices_[v].from == from) take(v);
+      if (vertices_[v].from == from) forgetBound(v);
     });
   }
-  if (!loop_.run(former_.size(), budget, 1, [&](int i) { offerAround(former_[i]); })) return false;
-  former_.clear();
-  taken_ = 0;
+  if (!loop_.run(forgotten_.size(), budget, 1, [&](int i) { offerAround(forgotten_[i]); }))
+    return false;
+  forgotten_.clear();
+  followed_ = 0;
   return true;
 }
 

@@ -53,7 +53,7 @@ class EdgeBounds {
     int bucket = kNone;
   };
 
-  void take(int vertex);
+  void forgetBound(int vertex);
   void offerAround(int vertex);
   void offerFrom(const FaceSite& site, int face);
   /// Inlined, because most offers are no improvement.
@@ -65,10 +65,10 @@ class EdgeBounds {
   const TriangleMesh& mesh_;
   const SiteSet& sites_;
   std::vector<Vertex> vertices_;
-  BucketQueue queue_;        ///< vertices by distance
-  IndexSet changed_;         ///< vertices
-  std::vector<int> former_;  ///< vertices whose paths led to removed sites
-  size_t taken_ = 0;         ///< of how many of these the vertices behind them are listed
+  BucketQueue queue_;           ///< vertices by distance
+  IndexSet changed_;            ///< vertices
+  std::vector<int> forgotten_;  ///< vertices whose paths led to removed sites
+  size_t followed_ = 0;         ///< how many of these have been followed to the vertices beyond
   SlicedLoop loop_;
 };
 

@@ -26,6 +26,10 @@ class ReachedIndex {
   }
   /// -1 if the label has not reached the vertex.
   int operator[](int vertex) const { return indices_[vertex]; }
+  /// The distance of a vertex in the list, which is the indexed one; infinity if it is not there.
+  double distanceIn(std::span<const ReachedVertex> reached, int vertex) const {
+    return indices_[vertex] < 0 ? kInfinity : reached[indices_[vertex]].distance;
+  }
 
  private:
   std::vector<int> indices_;

@@ -220,9 +220,7 @@ double UnfoldingSpread::distanceAt(int label, const SurfacePoint& p, AtVertex at
 std::vector<SurfacePoint> UnfoldingSpread::path(int label, const SurfacePoint& p) {
   const LabelState& state = labels_[label];
   index(label);
-  const auto atVertex = [&](int v) {
-    return index_[v] < 0 ? kInfinity : state.vertices[index_[v]].distance;
-  };
+  const auto atVertex = [&](int v) { return index_.distanceIn(state.vertices, v); };
   const double most = (1 + kMostDetour) * distanceAt(label, p, atVertex);
   auto path = pathByUnfolding(mesh_, sites_[label], atVertex, p);
   if (!path.empty() && lengthOf(mesh_, path) <= most) return path;

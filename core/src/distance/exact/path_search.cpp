@@ -65,8 +65,7 @@ class PathSearch final : public SlicedWork<std::vector<SurfacePoint>> {
 
   std::vector<SurfacePoint> result() override {
     ReachedIndex index(mesh_.vertexCount());
-    index.reset(state_.vertices);
-    return exact::pathToSite(mesh_, to_, state_, index, from_);
+    return exact::pathToSite(mesh_, to_, state_, from_, index);
   }
 
  private:

@@ -57,9 +57,7 @@ class WindowPath {
     return bestCorner(mesh_, points_.last(), bound_, at).vertex;
   }
 
-  double distanceAt(int vertex) const {
-    return index_[vertex] < 0 ? kInfinity : state_.vertices[index_[vertex]].distance;
-  }
+  double distanceAt(int vertex) const { return index_.distanceIn(state_.vertices, vertex); }
 
   const TriangleMesh& mesh_;
   const LabelState& state_;
@@ -162,8 +160,9 @@ bool WindowPath::leadsOn(int vertex, double distance) const {
 // --- The path of a label -----------------------------------------------------------------------
 
 std::vector<SurfacePoint> pathToSite(const TriangleMesh& mesh, const SurfacePoint& site,
-                                     const LabelState& state, const ReachedIndex& index,
-                                     const SurfacePoint& p) {
+                                     const LabelState& state, const SurfacePoint& p,
+                                     ReachedIndex& index) {
+  index.reset(state.vertices);
   WindowPath path(mesh, site, state, index, p);
   if (vertexAt(mesh, p) >= 0) return path.take();
   visitRepresentations(mesh, p, [&](const SurfacePoint& place) {

@@ -11,9 +11,10 @@
 namespace gvd::exact {
 
 /// The shortest path from a point to the site of a label that has reached it, by the label's state.
-/// For a point that is no vertex, the windows of its faces must be among the waiting ones.
+/// For a point that is no vertex, the windows of its faces must be among the waiting ones. `index`
+/// is working memory.
 std::vector<SurfacePoint> pathToSite(const TriangleMesh& mesh, const SurfacePoint& site,
-                                     const LabelState& state, const ReachedIndex& index,
-                                     const SurfacePoint& p);
+                                     const LabelState& state, const SurfacePoint& p,
+                                     ReachedIndex& index);
 
 }  // namespace gvd::exact

@@ -81,9 +81,7 @@ class WindowSpread::OneLabel final : public SearchBounds {
     const int i = index_[v];
     return i >= 0 && state_.vertices[i].isFinal ? state_.vertices[i].distance : bounds_[v].distance;
   }
-  double atMost(int v) const override {
-    return index_[v] < 0 ? kInfinity : state_.vertices[index_[v]].distance;
-  }
+  double atMost(int v) const override { return index_.distanceIn(state_.vertices, v); }
   bool isSought(int label) const override { return label == label_; }
 
  private:
@@ -124,10 +122,7 @@ std::unique_ptr<SlicedWork<std::vector<double>>> WindowSpread::startDistancesAt(
 /// window instead, which then spreads on to the point.
 std::vector<SurfacePoint> WindowSpread::path(int label, const SurfacePoint& p) {
   const LabelState& state = labels_[label];
-  if (vertexAt(mesh_, p) >= 0) {
-    index_.reset(state.vertices);
-    return pathToSite(mesh_, sites_[label], state, index_, p);
-  }
+  if (vertexAt(mesh_, p) >= 0) return pathToSite(mesh_, sites_[label], state, p, index_);
   sweep_.search(p, NearestLabels(bounds_));
   const double nearest = sweep_.searched().shortest();
   std::vector<SurfacePoint> path = pathBack(p, label, state);
@@ -139,8 +134,7 @@ std::vector<SurfacePoint> WindowSpread::path(int label, const SurfacePoint& p) {
   long budget = kUnlimited;
   sweep_.step(budget);
   if (bounds_.ties().isAtMost(least, sweep_.distanceAtPoint(0))) return path;
-  index_.reset(further.vertices);
-  return pathToSite(mesh_, sites_[label], further, index_, p);
+  return pathToSite(mesh_, sites_[label], further, p, index_);
 }
 
 /// The shortest path from a point through windows by which a label has crossed faces: straight to
@@ -161,12 +155,10 @@ std::vector<SurfacePoint> WindowSpread::pathBack(const SurfacePoint& p, int labe
     }
   const bool endsAtSite = vertex < 0 || ofLabel.atMost(vertex) == 0;
   const SurfacePoint end = endsAtSite ? sites_[label] : pointAtVertex(mesh_, vertex);
-  index_.reset(fromPoint.vertices);
-  std::vector<SurfacePoint> path = pathToSite(mesh_, p, fromPoint, index_, end);
+  std::vector<SurfacePoint> path = pathToSite(mesh_, p, fromPoint, end, index_);
   std::reverse(path.begin(), path.end());
   if (endsAtSite || path.empty()) return path;
-  index_.reset(state.vertices);
-  const auto rest = pathToSite(mesh_, sites_[label], state, index_, end);
+  const auto rest = pathToSite(mesh_, sites_[label], state, end, index_);
   if (rest.empty()) return {};
   path.pop_back();
   path.insert(path.end(), rest.begin(), rest.end());
