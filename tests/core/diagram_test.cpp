@@ -501,9 +501,9 @@ TEST(Diagram, InDetailAsksForAllLabelsThatAreNearestInAnElement) {
         // Every fourth is not known at the first corner.
         if (i > 0 || label % 4 > 0) known[i].push_back({label, distance(label, corners[i])});
     }
-    NearLabels nearLabels;
+    NearLabels nearLabels(ties);
     std::set<int> near;
-    for (const auto& found : nearLabels.of({known[0], known[1], known[2]}, lengths, ties)) {
+    for (const auto& found : nearLabels.of({known[0], known[1], known[2]}, lengths)) {
       near.insert(found.label);
       EXPECT_EQ(found.isKnown, (std::array{found.label % 4 > 0, true, true}));
     }

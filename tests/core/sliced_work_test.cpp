@@ -137,11 +137,11 @@ class KnownEverywhere final : public LabelSpread {
   void markFinal(int /*label*/, int /*index*/) override {}
   bool dependsOnEdgeBounds() const override { return false; }
   std::vector<LabelledDistance> nearestAt(const SurfacePoint& /*p*/,
-                                          const KnownLabels& /*known*/) override {
+                                          const DistanceField& /*known*/) override {
     return {};
   }
   std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
-      std::vector<LabelledPoint> /*points*/, const KnownLabels& /*known*/) override {
+      std::vector<LabelledPoint> /*points*/, const DistanceField& /*known*/) override {
     return nullptr;
   }
   Eigen::Vector2d direction(int /*label*/, int /*index*/) const override { return {1, 0}; }

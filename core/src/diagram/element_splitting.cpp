@@ -9,7 +9,8 @@ namespace gvd {
 
 /// Splits a batch and finds the next one, round after round.
 bool ElementSplitting::step(long& budget) {
-  while (round_.run([&] { return splitBatch(budget); }, [&] { return findBatch(budget); })) {
+  while (round_.run([&] { return splitBatch(budget); },
+                    [&](SlicedLoop& loop) { return findBatch(loop, budget); })) {
     round_ = {};
     if (batch_.empty()) return true;
   }
@@ -17,10 +18,10 @@ bool ElementSplitting::step(long& budget) {
 }
 
 /// Finds the elements that must be split, among those near the elements of the last batch.
-bool ElementSplitting::findBatch(long& budget) {
+bool ElementSplitting::findBatch(SlicedLoop& loop, long& budget) {
   constexpr long kLooksPerUnit = 8;
   const auto isNearSplit = [&](int n) { return nodes_.isNearSplit(n); };
-  if (!loop_.run(elements_.count(), budget, kLooksPerUnit, [&](int element) {
+  if (!loop.run(elements_.count(), budget, kLooksPerUnit, [&](int element) {
         const int* const nodes = elements_.nodes(element);
         const bool isConcerned = isFirstRound_ || std::any_of(nodes, nodes + 3, isNearSplit);
         if (isConcerned && mustSplit(element)) batch_.push_back(element);
@@ -75,7 +76,7 @@ bool ElementSplitting::splitBatch(long& budget) {
 void ElementSplitting::addMiddles(int element) {
   const auto lengths = elements_.sideLengths(mesh_, element);
   const auto known = [&](int corner) { return nodes_.labels(node(element, corner)); };
-  const auto near = near_.of({known(0), known(1), known(2)}, lengths, ties_);
+  const auto near = near_.of({known(0), known(1), known(2)}, lengths);
   const Eigen::Matrix3d corners = elements_.cornersIn(element);
   std::array<int, 3>& middle = middles_.emplace_back();
   for (int i = 0; i < 3; ++i) {

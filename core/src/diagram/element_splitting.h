@@ -24,16 +24,16 @@ class ElementSplitting {
                    const DistanceField& distances, double longestSide, Elements& elements,
                    NodeLabels& nodes)
       : mesh_(mesh),
-        ties_(ties),
         longestSide_(longestSide),
         elements_(elements),
         nodes_(nodes),
+        near_(ties),
         required_(distances, ties, nodes) {}
   bool step(long& budget);
 
  private:
   bool splitBatch(long& budget);
-  bool findBatch(long& budget);
+  bool findBatch(SlicedLoop& loop, long& budget);
   bool mustSplit(int element) const;
   bool isSideSplit(int element, int side, double length) const;
   bool isUniform(int a, int b, int owner) const;
@@ -44,13 +44,11 @@ class ElementSplitting {
   int node(int element, int corner) const { return elements_.nodes(element)[corner]; }
 
   const TriangleMesh& mesh_;
-  const TieTolerance& ties_;
   const double longestSide_;
   Elements& elements_;
   NodeLabels& nodes_;
 
   SlicedSequence round_, split_;
-  SlicedLoop loop_;
   bool isFirstRound_ = true;
   std::vector<int> batch_;                   ///< elements to be split next
   std::vector<std::array<int, 3>> middles_;  ///< of the sides of each; -1: the side stays whole

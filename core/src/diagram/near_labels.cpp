@@ -28,7 +28,7 @@ double longestWay(int from, int to, const std::array<double, 3>& lengths) {
 
 std::span<const NearLabels::Label> NearLabels::of(
     const std::array<std::span<const LabelledDistance>, 3>& known,
-    const std::array<double, 3>& lengths, const TieTolerance& ties) {
+    const std::array<double, 3>& lengths) {
   std::array<double, 3> nearest;  // of the labels known at all corners
   nearest.fill(kInfinity);
   visitLabels(known[0], known[1], known[2], [&](int /*label*/, const auto& at) {
@@ -40,7 +40,7 @@ std::span<const NearLabels::Label> NearLabels::of(
   for (int i = 0; i < 3; ++i) {
     most[i] = kInfinity;
     for (int j = 0; j < 3; ++j) most[i] = std::min(most[i], nearest[j] + longestWay(i, j, lengths));
-    most[i] = ties.mostTying(most[i]);
+    most[i] = ties_.mostTying(most[i]);
   }
   near_.clear();
   visitLabels(known[0], known[1], known[2], [&](int label, const auto& at) {

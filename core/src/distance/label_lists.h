@@ -33,10 +33,7 @@ class LabelLists {
 
   std::span<const LabelledDistance> operator[](int vertex) const { return distances_[vertex]; }
   /// The distance of a label, infinity if it is not known.
-  double distance(int vertex, int label) const {
-    const LabelledDistance* const found = findLabel(distances_[vertex], label);
-    return found ? found->distance : kInfinity;
-  }
+  double distance(int vertex, int label) const { return distanceIn(distances_[vertex], label); }
   /// The index in `LabelSpread::reached(label)` of the vertex, -1 if the label is not known.
   int reachedIndex(int vertex, int label) const {
     const auto known = distances_[vertex];

@@ -12,8 +12,6 @@
 
 namespace gvd {
 
-class KnownLabels;
-
 /// A vertex that a label has reached.
 struct ReachedVertex {
   int vertex;
@@ -57,13 +55,13 @@ class LabelSpread {
   /// again when the edge bound of a vertex that it has reached changes.
   virtual bool dependsOnEdgeBounds() const = 0;
   /// Candidates for the nearest label at a point that is no vertex, with their distances: each
-  /// label once, and all labels that tie for nearest are among them.
+  /// label once, and all labels that tie for nearest are among them. `known` has those at vertices.
   virtual std::vector<LabelledDistance> nearestAt(const SurfacePoint& p,
-                                                  const KnownLabels& known) = 0;
+                                                  const DistanceField& known) = 0;
   /// Starts to find the distances of labels at points that are no vertices. Each label must be
   /// known around its points, and sites must not change until the work is done.
   virtual std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
-      std::vector<LabelledPoint> points, const KnownLabels& known) = 0;
+      std::vector<LabelledPoint> points, const DistanceField& known) = 0;
   /// The direction at the site of the path to the vertex `reached(label)[index]`
   /// (`DistanceField::direction`).
   virtual Eigen::Vector2d direction(int label, int index) const = 0;

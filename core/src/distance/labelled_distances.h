@@ -27,6 +27,12 @@ inline const LabelledDistance* findLabel(std::span<const LabelledDistance> list,
   return found;
 }
 
+/// The distance of a label in such a list, infinity if it has none.
+inline double distanceIn(std::span<const LabelledDistance> list, int label) {
+  const LabelledDistance* const found = findLabel(list, label);
+  return found ? found->distance : kInfinity;
+}
+
 /// Puts an entry in its place in a list, which is ascending by label.
 inline void insertByLabel(std::vector<LabelledDistance>& list, const LabelledDistance& added) {
   const auto isBefore = [](const auto& a, const auto& b) { return a.label < b.label; };

@@ -187,7 +187,7 @@ LabelledDistance SiteDistances::nearest(const SurfacePoint& given) const {
   if (const int v = vertexAt(mesh_, p); v >= 0) return nearestOf(at(v));
   LabelledDistance best;
   bool isBestKnown = false;
-  for (const auto& [label, distance] : spread_->nearestAt(p, known_)) {
+  for (const auto& [label, distance] : spread_->nearestAt(p, *this)) {
     if (!(bounds_.ties().isAtMost(distance, best.distance) && distance < kInfinity)) continue;
     // Of labels that tie, prefer those known around the point, then the lowest.
     const bool isKnown = isKnownAround(label, p);
@@ -226,7 +226,7 @@ class SiteDistances::DistancesAtPoints final : public SlicedWork<std::vector<dou
         forEach(points_, budget, kQuickRounds, [&](int i) { sortOut(i); }),
         [&] {
           points_.resize(open_.size());
-          atPoints_ = field_.spread_->startDistancesAt(std::move(points_), field_.known_);
+          atPoints_ = field_.spread_->startDistancesAt(std::move(points_), field_);
         },
         [&] { return atPoints_->step(budget); }, [&] { found_ = atPoints_->take(); },
         forEach(open_, budget, kQuickRounds, [&](int i) { distances_[open_[i]] = found_[i]; }));

@@ -7,7 +7,6 @@
 
 #include "base/sliced_loop.h"
 #include "distance/dgpc/unfolding_path.h"
-#include "distance/known_labels.h"
 #include "distance/labelled_distances.h"
 #include "mesh/surface_geometry.h"
 
@@ -149,12 +148,12 @@ void UnfoldingSpread::takeRequired() {
 // --- Queries -----------------------------------------------------------------------------------
 
 std::vector<LabelledDistance> UnfoldingSpread::nearestAt(const SurfacePoint& p,
-                                                         const KnownLabels& known) {
+                                                         const DistanceField& known) {
   const auto& [a, b, c] = mesh_.face(p.face).vertices;
   std::vector<LabelledDistance> distances;
-  visitLabels(known[a], known[b], known[c], [&](int label, const auto& /*at*/) {
+  visitLabels(known.at(a), known.at(b), known.at(c), [&](int label, const auto& /*at*/) {
     distances.push_back(
-        {label, distanceAt(label, p, [&](int v) { return known.distance(v, label); })});
+        {label, distanceAt(label, p, [&](int v) { return distanceIn(known.at(v), label); })});
   });
   return distances;
 }
@@ -162,7 +161,7 @@ std::vector<LabelledDistance> UnfoldingSpread::nearestAt(const SurfacePoint& p,
 /// Distances at points, interpolated from the corners of their faces.
 class UnfoldingSpread::PointDistances final : public SlicedWork<std::vector<double>> {
  public:
-  PointDistances(const UnfoldingSpread& spread, const KnownLabels& known,
+  PointDistances(const UnfoldingSpread& spread, const DistanceField& known,
                  std::vector<LabelledPoint> points)
       : spread_(spread), known_(known), points_(std::move(points)) {}
 
@@ -170,8 +169,8 @@ class UnfoldingSpread::PointDistances final : public SlicedWork<std::vector<doub
     constexpr long kPointsPerUnit = 8;
     return loop_.run(points_.size(), budget, kPointsPerUnit, [&](int i) {
       const LabelledPoint& at = points_[i];
-      distances_.push_back(spread_.distanceAt(at.label, at.point,
-                                              [&](int v) { return known_.distance(v, at.label); }));
+      distances_.push_back(spread_.distanceAt(
+          at.label, at.point, [&](int v) { return distanceIn(known_.at(v), at.label); }));
     });
   }
   double progress() const override {
@@ -181,14 +180,14 @@ class UnfoldingSpread::PointDistances final : public SlicedWork<std::vector<doub
 
  private:
   const UnfoldingSpread& spread_;
-  const KnownLabels& known_;
+  const DistanceField& known_;
   const std::vector<LabelledPoint> points_;
   std::vector<double> distances_;
   SlicedLoop loop_;
 };
 
 std::unique_ptr<SlicedWork<std::vector<double>>> UnfoldingSpread::startDistancesAt(
-    std::vector<LabelledPoint> points, const KnownLabels& known) {
+    std::vector<LabelledPoint> points, const DistanceField& known) {
   return std::make_unique<PointDistances>(*this, known, std::move(points));
 }
 

@@ -7,7 +7,6 @@
 #include "base/plane.h"
 #include "base/sliced_loop.h"
 #include "distance/exact/window_path.h"
-#include "distance/known_labels.h"
 #include "mesh/face_layout.h"
 #include "mesh/representations.h"
 
@@ -92,7 +91,7 @@ class WindowSpread::OneLabel final : public SearchBounds {
 };
 
 std::vector<LabelledDistance> WindowSpread::nearestAt(const SurfacePoint& p,
-                                                      const KnownLabels& known) {
+                                                      const DistanceField& known) {
   std::vector<LabelledDistance> labels;
   const auto offer = [&](int label, double distance) {
     const auto found = std::find_if(labels.begin(), labels.end(),
@@ -107,12 +106,12 @@ std::vector<LabelledDistance> WindowSpread::nearestAt(const SurfacePoint& p,
   for (const ReachedVertex& r : fromPoint.vertices)
     if (bounds_.ties().isAtMost(r.distance + bounds_[r.vertex].distance,
                                 sweep_.searched().shortest()))
-      for (const LabelledDistance& d : known[r.vertex]) offer(d.label, r.distance + d.distance);
+      for (const LabelledDistance& d : known.at(r.vertex)) offer(d.label, r.distance + d.distance);
   return labels;
 }
 
 std::unique_ptr<SlicedWork<std::vector<double>>> WindowSpread::startDistancesAt(
-    std::vector<LabelledPoint> points, const KnownLabels& /*known*/) {
+    std::vector<LabelledPoint> points, const DistanceField& /*known*/) {
   return std::make_unique<PointDistances>(mesh_, sites_, bounds_, found_, spare_,
                                           std::move(points));
 }

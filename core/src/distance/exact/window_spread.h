@@ -36,9 +36,10 @@ class WindowSpread final : public LabelSpread {
   }
   void markFinal(int label, int index) override;
   bool dependsOnEdgeBounds() const override { return false; }
-  std::vector<LabelledDistance> nearestAt(const SurfacePoint& p, const KnownLabels& known) override;
+  std::vector<LabelledDistance> nearestAt(const SurfacePoint& p,
+                                          const DistanceField& known) override;
   std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
-      std::vector<LabelledPoint> points, const KnownLabels& known) override;
+      std::vector<LabelledPoint> points, const DistanceField& known) override;
   Eigen::Vector2d direction(int label, int index) const override;
   std::vector<SurfacePoint> path(int label, const SurfacePoint& p) override;
 
