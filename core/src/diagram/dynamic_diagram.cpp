@@ -121,7 +121,8 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
         [&] { return diagram_.mixed_.update(labels_, budget); },
         [&] { return tracesAll_ || traceParts(budget); },
         [&] { return !tracesAll_ || traceAll(budget); },
-        [&] { return diagram_.pieces_.replace(change_, budget); }, [&] { setAreas(); });
+        [&] { return diagram_.pieces_.replace(change_, budget); }, [&] { setAreas(); },
+        [&] { diagram_.isChanging_ = false; });
   }
   double progress() const override {
     const double ofDistances = propagationShare(diagram_.options_);
@@ -210,7 +211,6 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
     if (!tracesAll_)
       for (const int label : change_.labels) areas.push_back(areaOf(label));
     for (size_t i = 0; i < areas.size(); ++i) diagram_.pieces_.setArea(change_.labels[i], areas[i]);
-    diagram_.isChanging_ = false;
   }
 
   /// The area in the traced faces plus the region triangles outside of them.

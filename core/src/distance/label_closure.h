@@ -20,7 +20,8 @@ namespace gvd {
 /// A diagram interpolates squared distances linearly within a face. If a label owns part of an edge
 /// by interpolation, it has to be known at all corners of the faces on both sides. A label added at
 /// one vertex may be required at others, so each label goes on until no more is required of it.
-/// Others have to be looked at again only where they tie with it.
+/// Another label has to be looked at again only where the new one lowers its listed distance
+/// because the two tie.
 ///
 /// `LabelCompletion` applies the same rule to the elements of a refined diagram. No label can
 /// spread to their corners, so it unfolds the missing distance from the two known ones.

@@ -40,7 +40,7 @@ class LabelLists {
     const LabelledDistance* const found = findLabel(known, label);
     return found ? indices_[vertex][found - known.data()] : -1;
   }
-  /// The same of each label in the list.
+  /// Those of all labels in the list.
   std::span<const int> reachedIndices(int vertex) const { return indices_[vertex]; }
 
   /// Gives up all lists, each of which is then to be allotted; `total` is the room for all labels.

@@ -35,7 +35,7 @@ void UnfoldingSpread::resume(int /*label*/) {}
 bool UnfoldingSpread::step(long& budget) {
   while (running_ >= 0) {
     if (!sweep_.step(budget)) return false;
-    if (requiredReach_ > 0)
+    if (sweep_.reach())
       takeRequired();
     else
       store();
@@ -82,7 +82,7 @@ long UnfoldingSpread::require(int label, std::span<const int> faces) {
     }
   if (!isAllKnown) {
     running_ = label;
-    sweepToRequired(mesh_.shortEdgeLength());
+    sweep_.start(sites_[label], mesh_.shortEdgeLength());
   }
   return static_cast<long>(unindexed + faces.size());
 }
@@ -120,29 +120,26 @@ void UnfoldingSpread::requireVertex(LabelState& state, int vertex) {
 /// Required vertices without a swept neighbour are there where edges are much longer than
 /// distances. Their distances come from sweeps that reach twice as far each time, whatever the
 /// bounds are. A vertex gets its distance from the first that reaches beyond it, so that the result
-/// does not depend on what else is required.
-void UnfoldingSpread::sweepToRequired(double reach) {
-  requiredReach_ = reach;
-  sweep_.start(sites_[running_], reach);
-}
-
-/// Takes the distances from such a sweep, and begins the next one if some are still missing.
+/// does not depend on what else is required. Takes the distances from such a sweep, and begins the
+/// next one if some are still missing.
 void UnfoldingSpread::takeRequired() {
+  const double reach = *sweep_.reach();
   LabelState& state = labels_[running_];
   bool isMissing = false;
   for (size_t i = 0; i < state.vertices.size(); ++i) {
     ReachedVertex& r = state.vertices[i];
     if (r.distance < kInfinity) continue;
-    if (sweep_.distance(r.vertex) > requiredReach_) {
+    if (sweep_.distance(r.vertex) > reach) {
       isMissing = true;
       continue;
     }
     r.distance = sweep_.distance(r.vertex);
     state.directions[i] = sweep_.direction(r.vertex);
   }
-  if (isMissing) return sweepToRequired(2 * requiredReach_);
-  requiredReach_ = 0;
-  running_ = -1;
+  if (isMissing)
+    sweep_.start(sites_[running_], 2 * reach);
+  else
+    running_ = -1;
 }
 
 // --- Queries -----------------------------------------------------------------------------------

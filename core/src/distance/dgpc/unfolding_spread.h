@@ -55,7 +55,6 @@ class UnfoldingSpread final : public LabelSpread {
   void index(int label);
   void store();
   void requireVertex(LabelState& state, int vertex);
-  void sweepToRequired(double reach);
   void takeRequired();
   class PointDistances;
   /// `atVertex` gives the label's distance at a vertex.
@@ -67,10 +66,9 @@ class UnfoldingSpread final : public LabelSpread {
   NearestBounds& bounds_;
   UnfoldingSweep sweep_;
   std::vector<LabelState> labels_;
-  int running_ = -1;          ///< the label that spreads
-  double requiredReach_ = 0;  ///< of its sweep to required vertices; 0 while it first spreads
-  int indexed_ = -1;          ///< the label that was required, or whose path was asked for, last
-  ReachedIndex index_;        ///< of its vertices
+  int running_ = -1;    ///< the label that spreads
+  int indexed_ = -1;    ///< the label that was required, or whose path was asked for, last
+  ReachedIndex index_;  ///< of its vertices
 };
 
 }  // namespace gvd::dgpc

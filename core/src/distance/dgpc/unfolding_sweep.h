@@ -92,6 +92,8 @@ class UnfoldingSweep {
   /// Begins with a site and forgets the previous one. A `reach` given here is that of all vertices,
   /// in place of their own.
   void start(const SurfacePoint& site, std::optional<double> reach = std::nullopt);
+  /// The reach given to `start`.
+  const std::optional<double>& reach() const { return reach_; }
   /// Passes on the distances of at most `budget` vertices and lowers it by their number. True when
   /// none is queued any more.
   bool step(long& budget);

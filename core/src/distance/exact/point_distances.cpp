@@ -87,17 +87,11 @@ bool PointDistances::spread(long& budget) {
     sweep_ = spare_ ? std::move(spare_) : std::make_unique<WindowSweep>(mesh_, sites_, bounds_);
   if (sweep_ && !sweep_->prepare(budget)) return false;
   while (doneCount_ < open_.size()) {
-    if (stage_ == Stage::kNone) startLabel();
-    if (!sweep_->step(budget)) return false;
-    if (stage_ == Stage::kSpread) {
-      for (size_t i = 0; i < required_.size(); ++i)
-        required_[i].distance = sweep_->distanceAtPoint(static_cast<int>(i));
-      sweep_->require(label_, state_, required_);
-      stage_ = Stage::kRequire;
-    } else {
-      finishLabel();
-      stage_ = Stage::kNone;
-    }
+    if (!turn_.run([&] { startLabel(); }, [&] { return sweep_->step(budget); },
+                   [&] { requirePoints(); }, [&] { return sweep_->step(budget); },
+                   [&] { finishLabel(); }))
+      return false;
+    turn_ = {};
   }
   return true;
 }
@@ -117,7 +111,12 @@ void PointDistances::startLabel() {
     required_.push_back({p, straightTo(label_, p), nearestAtLeast(p)});
   }
   sweep_->start(label_, state_, required_);
-  stage_ = Stage::kSpread;
+}
+
+void PointDistances::requirePoints() {
+  for (size_t i = 0; i < required_.size(); ++i)
+    required_[i].distance = sweep_->distanceAtPoint(static_cast<int>(i));
+  sweep_->require(label_, state_, required_);
 }
 
 void PointDistances::finishLabel() {

@@ -58,6 +58,7 @@ class PointDistances final : public SlicedWork<std::vector<double>> {
   void sortOut(int index);
   bool spread(long& budget);
   void startLabel();
+  void requirePoints();
   void finishLabel();
   double nearestAtLeast(const SurfacePoint& p) const;
   double straightTo(int label, const SurfacePoint& p) const;
@@ -76,8 +77,8 @@ class PointDistances final : public SlicedWork<std::vector<double>> {
   Grouping byLabel_;       ///< their indices in `points_`, by label
   size_t doneCount_ = 0;   ///< of these
 
-  enum class Stage { kNone, kSpread, kRequire } stage_ = Stage::kNone;
   int label_ = 0;  ///< the current one
+  SlicedSequence turn_;
   LabelState state_;
   std::vector<RequiredPoint> required_;
 };

@@ -44,7 +44,8 @@ class WindowPath {
     StraightLine line;
     double sourceDistance;
   };
-  /// Where a followed piece ends, other than at a vertex.
+  /// Where a followed piece ends, other than at a vertex: lost if no corner leads on
+  /// (`bestCorner`).
   enum : int { kLost = -1, kAtSite = -2 };
 
   int follow(Piece piece);
