@@ -62,8 +62,9 @@ bool DiagramPieces::replace(const DiagramChange& change, long& budget) {
       [&] {
         if (!change.labels.empty() && change.labels.back() >= static_cast<int>(regions_.size()))
           regions_.resize(change.labels.back() + 1);
+        beside_.clear();
+        arcOf_.clear();
       },
-      [&] { beside_.clear(); },
       forAll(change.labels, [&](int i) { removePiecesOf(change.labels[i]); }),
       [&] { makeSet(beside_); }, forAll(beside_, [&](int i) { unlistRemoved(beside_[i]); }),
       forAll(change.faces, [&](int i) { removePiecesIn(change.faces[i]); }),
@@ -71,7 +72,7 @@ bool DiagramPieces::replace(const DiagramChange& change, long& budget) {
              [&](int i) {
                setPlaces(part, part.loops[i], regions_[part.loopLabel[i]].loops.emplace_back());
              }),
-      [&] { arcOf_.clear(); }, forAll(part.arcs, [&](int i) { addArc(part, i); }),
+      forAll(part.arcs, [&](int i) { addArc(part, i); }),
       forAll(part.segments,
              [&](int i) {
                const Diagram::Segment& s = part.segments[i];
@@ -272,8 +273,10 @@ Diagram extract(const Diagram& from, std::span<const char> isWanted, std::span<c
     addList(from.loops[i], out.loops);
     out.loopLabel.push_back(from.loopLabel[i]);
   }
+  auto face = faces.begin();  // cells are ascending by face, too
   for (int i = 0; i < from.cells.size(); ++i) {
-    if (!std::binary_search(faces.begin(), faces.end(), from.cellFace[i])) continue;
+    while (face != faces.end() && *face < from.cellFace[i]) ++face;
+    if (face == faces.end() || *face != from.cellFace[i]) continue;
     addList(from.cells[i], out.cells);
     out.cellFace.push_back(from.cellFace[i]);
     out.cellLabel.push_back(from.cellLabel[i]);

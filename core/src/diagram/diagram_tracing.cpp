@@ -28,12 +28,12 @@ namespace {
 class Tracing final : public SlicedWork<TracedDiagram> {
  public:
   /// Traces outlines of the labels with `isTraced[label]`, of all labels if it is empty.
-  Tracing(const TriangleMesh& mesh, const DistanceField& distances, ComplexBuilding& building,
-          int siteCount, std::vector<char> isTraced, NodePoints& nodePoints)
-      : mesh_(mesh),
-        distances_(distances),
+  Tracing(const DistanceField& distances, ComplexBuilding& building, int siteCount,
+          std::vector<char> isTraced, NodePoints& nodePoints)
+      : distances_(distances),
         building_(building),
         complex_(building.complex()),
+        mesh_(complex_.mesh()),
         siteCount_(siteCount),
         isTraced_(std::move(isTraced)),
         nodePoints_(nodePoints) {}
@@ -88,10 +88,10 @@ class Tracing final : public SlicedWork<TracedDiagram> {
     });
   }
 
-  const TriangleMesh& mesh_;
   const DistanceField& distances_;
   ComplexBuilding& building_;
   FaceComplex& complex_;
+  const TriangleMesh& mesh_;
   const int siteCount_;
   const std::vector<char> isTraced_;
   NodePoints& nodePoints_;
@@ -130,7 +130,7 @@ class FullTracing final : public SlicedWork<TracedDiagram> {
       : distances_(distances),
         siteCount_(siteCount),
         building_(mesh, distances, validDetail(options), ComplexBuilding::Extent::kMesh),
-        tracing_(mesh, distances, building_, siteCount, {}, nodePoints_) {}
+        tracing_(distances, building_, siteCount, {}, nodePoints_) {}
 
   bool advance(long budget) override {
     return sequence_.run(forEach(building_.complex().mesh().vertexCount(), budget, kQuickRounds,
@@ -190,15 +190,14 @@ double propagationShare(const DiagramOptions& options) {
 
 PartialTracer::PartialTracer(const TriangleMesh& mesh, const DistanceField& distances,
                              const DiagramOptions& options)
-    : mesh_(mesh),
-      distances_(distances),
+    : distances_(distances),
       building_(mesh, distances, validDetail(options), ComplexBuilding::Extent::kPart) {}
 
 std::unique_ptr<SlicedWork<TracedDiagram>> PartialTracer::start(std::span<const int> faces,
                                                                 std::vector<char> isTraced) {
   building_.startPart(faces);
   const int labelCount = static_cast<int>(isTraced.size());
-  return std::make_unique<Tracing>(mesh_, distances_, building_, labelCount, std::move(isTraced),
+  return std::make_unique<Tracing>(distances_, building_, labelCount, std::move(isTraced),
                                    nodePoints_);
 }
 

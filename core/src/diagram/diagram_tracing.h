@@ -51,7 +51,6 @@ class PartialTracer {
   int faceIndex(int face) const { return building_.complex().faceIndex(face); }
 
  private:
-  const TriangleMesh& mesh_;
   const DistanceField& distances_;
   ComplexBuilding building_;
   NodePoints nodePoints_;
