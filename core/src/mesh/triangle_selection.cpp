@@ -27,8 +27,8 @@ bool TriangleSelection::step(long& budget) {
       forEach(count, budget, kQuickRounds, [&](int t) { this->count(t); }),
       [&] { return byLowestCorner_.run(count, vertexCount_, lowestCorner, budget); },
       [&] {
-        return byLowestCorner_.visitGroups(
-            [&](std::span<int> group) { findOriginals(group); }, budget);
+        return byLowestCorner_.visitGroups([&](std::span<int> group) { findOriginals(group); },
+                                           budget);
       },
       [&] {
         byLowestCorner_ = {};
