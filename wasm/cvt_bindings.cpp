@@ -31,19 +31,22 @@ CvtOptions optionsOf(const TriangleMesh& mesh, Text method, Text metric, int ite
   return options;
 }
 
-/// `CvtState` of the next iteration without a diagram, and whether there is none after it.
+/// `CvtState` of the next iteration without a diagram, and whether there is one.
 class CvtAdvancing final : public SlicedWork<Record> {
  public:
   /// The tessellation must outlive the steps. Others go on where these end.
   explicit CvtAdvancing(CvtHandle& handle) : handle_(handle) {}
 
-  bool advance(long budget) override { return handle_.cvt->step(budget); }
+  bool advance(long budget) override {
+    hasState_ = handle_.cvt->step(budget);
+    return hasState_ || handle_.cvt->isDone();
+  }
   double progress() const override { return 0; }  // not known
   Record result() override {
     const Cvt& cvt = *handle_.cvt;
     const CvtIteration& iteration = cvt.iteration();
     Record out;
-    out.add("isLast", cvt.isDone());
+    out.add("hasState", hasState_);
     out.add("iteration", iteration.number);
     out.add("energy", iteration.energy);
     out.add("largestMove", iteration.largestMove);
@@ -53,6 +56,7 @@ class CvtAdvancing final : public SlicedWork<Record> {
 
  private:
   CvtHandle& handle_;
+  bool hasState_ = false;
 };
 
 }  // namespace

@@ -32,7 +32,7 @@ double energyOverHexagons(const TriangleMesh& mesh, std::span<const SurfacePoint
 /// How long it takes to compute what one iteration more comes to.
 double iterationSeconds(Cvt& cvt) {
   const double start = threadSeconds();
-  while (!cvt.step(std::numeric_limits<long>::max())) {
+  while (!cvt.step(std::numeric_limits<long>::max()) && !cvt.isDone()) {
   }
   return threadSeconds() - start;
 }

@@ -142,9 +142,7 @@ TEST(RemeshQuality, OfACentroidalTessellationIsHigh) {
   CvtOptions options;
   options.iterations = 30;
   Cvt cvt(mesh, sampleUniform(mesh, 100, 1), options);
-  while (!cvt.isDone())
-    while (!cvt.step(100000)) {
-    }
+  while (!cvt.isDone()) cvt.step(100000);
   const RepairedSites valid = repair(mesh, cvt.sites(), Metric::kExact);
   const RemeshQuality quality = measureQuality(mesh, dualMesh(mesh, valid.sites, valid.diagram));
   EXPECT_EQ(quality.triangles, 2 * static_cast<int>(valid.sites.size()) - 4);

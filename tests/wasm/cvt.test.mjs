@@ -35,6 +35,17 @@ test('a state per iteration, the first that of the sites given', async () => {
   });
 });
 
+test('ends without a further state when no step lowers the energy', async () => {
+  const small = await gvd.mesh(grid(2));
+  const start = await small.sampleSites(2, { seed: 2 });
+  const states = await collect(small.cvt(start, { iterations: 200 }));
+  assert.ok(states.length < 201);
+  assert.deepEqual(
+    states.map(({ iteration }) => iteration),
+    [...states.keys()],
+  );
+});
+
 test('with the diagram of its sites, if asked for', async () => {
   for await (const { sites: moved, data } of mesh.cvt(sites, { iterations: 2, data: true })) {
     // Sites given are normalised, which may change their last bits.

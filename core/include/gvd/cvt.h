@@ -82,7 +82,8 @@ class Cvt {
 
   /// Works for `budget` units of about a microsecond, as `SlicedWork::step`, but not beyond the end
   /// of an iteration. True when an iteration has ended, of which the functions below then give the
-  /// results, or when the tessellation is done. Iteration 0 evaluates the initial sites.
+  /// results. Iteration 0 evaluates the initial sites. If no step lowers the energy, the
+  /// tessellation is done without a further iteration.
   bool step(long budget);
   bool isDone() const;
 

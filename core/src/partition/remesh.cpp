@@ -55,7 +55,10 @@ class Settling final : public SlicedWork<RepairedSites> {
     const bool isStepDone = step_.run(
         [&] { return keptAngle_ || measure(kept_, keptAngle_, budget); },
         [&] { cvt_.emplace(mesh_, kept_.sites, optionsOfStep()); },
-        [&] { return cvt_->step(budget) && cvt_->isDone(); },
+        [&] {
+          cvt_->step(budget);
+          return cvt_->isDone();
+        },
         [&] {
           moved_ = stateOf(*cvt_, kept_.added);
           violations_ = startViolations(mesh_, moved_.sites, moved_.diagram);
@@ -200,8 +203,8 @@ class Remeshing final : public SlicedWork<RepairedSites> {
 };
 
 bool Remeshing::tessellate(long budget) {
-  if (!cvt_->step(budget)) return false;
-  iterationShare_ = (1.0 + cvt_->iteration().number) / (1 + tessellation_.iterations);
+  if (cvt_->step(budget))
+    iterationShare_ = (1.0 + cvt_->iteration().number) / (1 + tessellation_.iterations);
   return cvt_->isDone();
 }
 

@@ -129,8 +129,7 @@ class Cvt::Solver {
   }
 
   bool step(long budget) {
-    if (isDone_) return true;
-    if (!evaluation_->step(budget)) return false;
+    if (isDone_ || !evaluation_->step(budget)) return false;
     takeGradient();
     if (!accepted_.distances) {
       accept();
@@ -141,7 +140,7 @@ class Cvt::Solver {
       accept();
     } else {
       retreat();
-      return isDone_;
+      return false;
     }
     return true;
   }

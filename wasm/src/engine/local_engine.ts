@@ -47,8 +47,6 @@ interface StoredObject {
   /** The mesh of a diagram, made when first asked for and freed with the diagram. */
   mesh?: Handle;
   lastCall?: Promise<void>;
-  /** Whether a tessellation has no further iteration. */
-  isFinished?: boolean;
 }
 
 /** The answer of `createMesh`: the mesh and its facts. */
@@ -255,14 +253,13 @@ export class LocalEngine implements Engine {
     { signal }: TaskOptions,
   ): Promise<AdvancedCvt | undefined> {
     signal?.throwIfAborted();
-    if (this.#stored(handle).isFinished) return undefined;
-    const { isLast, ...state } = await this.#answerOf<AdvancedCvt & { isLast: boolean }>(
+    const { hasState, ...state } = await this.#answerOf<AdvancedCvt & { hasState: boolean }>(
       'advanceCvt',
       handle,
       [],
       { signal },
     );
-    this.#stored(handle).isFinished = isLast;
+    if (!hasState) return undefined;
     if (form === 'bare') return state;
     const data = await this.#answerOf<DiagramData>('cvtDiagram', handle, [], { signal });
     const withData = { ...state, data };
