@@ -321,7 +321,8 @@ export interface PolygonMesh {
 
 /**
  * Per arc of a diagram, in no particular order, the shortest path between its two sites across the
- * arc, over the point of the arc nearest to both.
+ * arc, over the point of the arc nearest to both. With `detail`, the path of a short arc may have no
+ * points: a site that owns no corner of a face has no distances in it from which one could be found.
  */
 export interface DualPaths {
   /** Two per path: the labels of the arc, the lower one first. */
