@@ -8,7 +8,9 @@ import {
   distancesGlb,
   load,
   partitionGlb,
+  partitionStl,
   polygonGlb,
+  polygonStl,
 } from 'geodesic-voronoi';
 import { assertValidGlb, jsonOf } from './files.mjs';
 import { bumpySphere, grid } from './meshes.mjs';
@@ -194,10 +196,20 @@ test('a GLB keeps a model together that is far from the origin', async () => {
     assert.equal(info.boundaryLoops, 0);
     await assertValidGlb(diagramGlb(apart, { scale }));
   }
-  const tooLarge = {
-    code: 'invalid-argument',
-    message: /^scale is 1e\+60: coordinates are too large/,
-  };
-  assert.throws(() => partitionGlb(partition, { scale: 1e60 }), tooLarge);
-  assert.throws(() => diagramGlb(apart, { scale: 1e60 }), tooLarge);
+});
+
+test('coordinates too large for 32 bits are refused by the formats that have no others', async () => {
+  const partition = await diagram.partition();
+  const dual = await diagram.dual();
+  for (const write of [
+    (options) => partitionGlb(partition, options),
+    (options) => diagramGlb(diagram, options),
+    (options) => polygonGlb(dual, options),
+    (options) => partitionStl(partition, options),
+    (options) => polygonStl(dual, options),
+  ])
+    assert.throws(() => write({ scale: 1e60 }), {
+      code: 'invalid-argument',
+      message: /^scale is 1e\+60: coordinates are too large then for the numbers of an? (GLB|STL)/,
+    });
 });

@@ -245,7 +245,10 @@ export interface DiagramAccuracy {
 }
 
 export interface Located {
-  /** The nearest site per point, the first one of those that tie; -1 if none reaches it. */
+  /**
+   * The nearest site per point; -1 if none reaches it. Of those that tie, the first one, but those that the
+   * diagram knows all around the point come before others.
+   */
   label: Int32Array<ArrayBuffer>;
   /** Its distance in the input's units, Infinity if none reaches it. */
   distance: Float64Array<ArrayBuffer>;

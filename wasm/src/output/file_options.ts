@@ -50,6 +50,15 @@ export function toFileOptions<
   return all as unknown as Complete<Options, Defaults> & { scale: number };
 }
 
+/** A coordinate as a format has it whose numbers have 32 bits. */
+export function toFloat32(coordinate: number, scale: number, format: 'a GLB' | 'an STL'): number {
+  const rounded = Math.fround(coordinate);
+  if (Number.isFinite(rounded)) return rounded;
+  throw invalidArgument(
+    `scale is ${scale}: coordinates are too large then for the numbers of ${format}, of 32 bits`,
+  );
+}
+
 export function toAttributeSource(mesh: AttributeSource): AttributeSource {
   return toResult('mesh', mesh, 'positions', 'indices', 'normals', 'uvs');
 }

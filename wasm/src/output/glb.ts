@@ -2,7 +2,7 @@
 //
 // Writing binary glTF.
 
-import { invalidArgument } from '../api/errors.js';
+import { toFloat32 } from './file_options.js';
 
 type Elements = Float32Array | Uint32Array | Uint8Array;
 
@@ -37,11 +37,8 @@ export class GlbBuilder {
     const positions = new Float32Array(3 * points.length);
     for (let i = 0; i < positions.length; ++i) {
       const x = this.#places[3 * points[Math.floor(i / 3)] + (i % 3)];
-      if (Number.isFinite(x)) positions[i] = this.#scale * (x - this.#origin[i % 3]);
-      if (!Number.isFinite(positions[i]))
-        throw invalidArgument(
-          `scale is ${this.#scale}: coordinates are too large then for the numbers of a GLB, of 32 bits`,
-        );
+      if (Number.isFinite(x))
+        positions[i] = toFloat32(this.#scale * (x - this.#origin[i % 3]), this.#scale, 'a GLB');
     }
     return this.attribute(positions, 'VEC3');
   }

@@ -3,6 +3,7 @@
 // Writing binary STL: triangles, each with its corners in 32-bit floats, and nothing else.
 
 import { stlBytes } from '../input/stl_layout.js';
+import { toFloat32 } from './file_options.js';
 
 /** `corners` are three indices into the x, y, z triples of `positions` for each triangle. */
 export function stl(
@@ -21,7 +22,7 @@ export function stl(
       places[i] = scale * positions[3 * corners[3 * t + Math.floor(i / 3)] + (i % 3)];
     const at = stlBytes(t);
     normalOf(places).forEach((x, k) => view.setFloat32(at + 4 * k, x, true));
-    places.forEach((x, i) => view.setFloat32(at + 12 + 4 * i, x, true));
+    places.forEach((x, i) => view.setFloat32(at + 12 + 4 * i, toFloat32(x, scale, 'an STL'), true));
   }
   view.setUint32(stlBytes(0) - 4, count, true);
   return bytes;
