@@ -238,8 +238,8 @@ export interface DiagramAccuracy {
    */
   mislabelled: number;
   /**
-   * The option `maxEdge` of a mesh that makes triangles finer: fine enough, mostly, for regions of this size,
-   * with `detail: 1`, and the longest edges shorter by half at least.
+   * The option `maxEdge` of a mesh that makes triangles finer, to one digit: fine enough, mostly, for regions of
+   * this size, with `detail: 1`, and small enough for the longest edges to be halved at least.
    */
   maxEdge: number;
 }
