@@ -30,18 +30,20 @@ class RandomSampling final : public SlicedWork<std::vector<SurfacePoint>> {
   }
 
   bool advance(long budget) override {
-    return sequence_.run([&] { sums_.reserve(mesh_.faceCount()); },
-                         forEach(mesh_.faceCount(), budget, 8,
-                                 [&](int f) {
-                                   sum_ += mesh_.faceArea(f) *
-                                           (density_.empty() ? 1 : rootsOf(f).sum());
-                                   sums_.push_back(sum_);
-                                 }),
-                         [&] {
-                           if (!(sum_ > 0))
-                             rejectArgument("the density is zero all over the surface");
-                         },
-                         forEach(count_, budget, 1, [&](int) { points_.push_back(draw()); }));
+    return sequence_.run(
+        [&] {
+          sums_.reserve(mesh_.faceCount());
+          points_.reserve(count_);  // what does not fit is not tried
+        },
+        forEach(mesh_.faceCount(), budget, 8,
+                [&](int f) {
+                  sum_ += mesh_.faceArea(f) * (density_.empty() ? 1 : rootsOf(f).sum());
+                  sums_.push_back(sum_);
+                }),
+        [&] {
+          if (!(sum_ > 0)) rejectArgument("the density is zero all over the surface");
+        },
+        forEach(count_, budget, 1, [&](int) { points_.push_back(draw()); }));
   }
   double progress() const override { return sequence_.progress(); }
   std::vector<SurfacePoint> result() override { return std::move(points_); }
