@@ -126,8 +126,8 @@ bool PrimitiveReading::step(long& budget) {
                        vertexCount_, accessors_, name_, scene_.positions);
       },
       [&] { attribute_.reset(); },
-      [&] {
-        return forVertices(budget, [&](std::size_t v) {
+      [&](SlicedLoop& loop) {
+        return forVertices(loop, budget, [&](std::size_t v) {
           auto position = Eigen::Vector3d::Map(&scene_.positions[3 * v]);
           position = transform_ * Eigen::Vector3d(position);
         });
@@ -138,18 +138,20 @@ bool PrimitiveReading::step(long& budget) {
       },
       [&] { return !hasIndices || indexReading_->step(budget); },
       forEach(indices_, budget, kQuickRounds, [&](int i) { requireVertex(indices_[i]); }),
-      [&] {
+      [&](SlicedLoop& loop) {
         constexpr long kTrianglesPerUnit = 16;
         const std::size_t corners = hasIndices ? indices_.size() : vertexCount_;
-        return loop_.run(triangleCount(primitive_.mode, corners), budget, kTrianglesPerUnit,
-                         [&](int t) { addTriangle(t); });
+        return loop.run(triangleCount(primitive_.mode, corners), budget, kTrianglesPerUnit,
+                        [&](int t) { addTriangle(t); });
       },
       [&] { release(indices_); },
       [&] { return readOptional("NORMAL", kNormals, weights_, scene_.normals, 0, budget); },
-      [&] { return !isRead_ || forVertices(budget, [&](std::size_t v) { turnNormal(v); }); },
+      [&](SlicedLoop& loop) {
+        return !isRead_ || forVertices(loop, budget, [&](std::size_t v) { turnNormal(v); });
+      },
       [&] { return readOptional("TEXCOORD_0", kUvs, {}, scene_.uvs, 0, budget); },
-      [&] {
-        return !isRead_ || forVertices(budget, [&](std::size_t v) {
+      [&](SlicedLoop& loop) {
+        return !isRead_ || forVertices(loop, budget, [&](std::size_t v) {
           for (const std::size_t i : {2 * v, 2 * v + 1})
             if (!std::isfinite(scene_.uvs[i])) scene_.uvs[i] = 0;
         });
@@ -159,9 +161,9 @@ bool PrimitiveReading::step(long& budget) {
 
 /// Calls `visit` with the indices of the primitive's vertices in the scene.
 template <class Visit>
-bool PrimitiveReading::forVertices(long& budget, Visit visit) {
+bool PrimitiveReading::forVertices(SlicedLoop& loop, long& budget, Visit visit) {
   constexpr long kVerticesPerUnit = 16;
-  return loop_.run(vertexCount_, budget, kVerticesPerUnit, [&](int v) { visit(firstVertex_ + v); });
+  return loop.run(vertexCount_, budget, kVerticesPerUnit, [&](int v) { visit(firstVertex_ + v); });
 }
 
 void PrimitiveReading::requireVertex(double index) const {

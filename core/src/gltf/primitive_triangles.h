@@ -75,7 +75,7 @@ class PrimitiveReading {
 
  private:
   template <class Visit>
-  bool forVertices(long& budget, Visit visit);
+  bool forVertices(SlicedLoop& loop, long& budget, Visit visit);
   bool readOptional(const char* semantic, const Format& format, std::span<const double> weights,
                     std::vector<double>& values, double padding, long& budget);
   void requireVertex(double index) const;
@@ -98,7 +98,6 @@ class PrimitiveReading {
   std::optional<AccessorReading> indexReading_;
   std::vector<double> indices_;  ///< empty if the primitive has none
   SlicedSequence sequence_;
-  SlicedLoop loop_;
 };
 
 }  // namespace gvd::gltf

@@ -57,12 +57,11 @@ bool TriangleOrienting::step(long& budget) {
               }),
       // Side i of a triangle that is turned over becomes side 2 - i. The sides keep their
       // neighbours.
-      [&] {
-        return !isAnyFlipped_ ||
-               loop_.run(count, budget, kQuickRounds, [&](int t) { turnOver(t); });
+      [&](SlicedLoop& loop) {
+        return !isAnyFlipped_ || loop.run(count, budget, kQuickRounds, [&](int t) { turnOver(t); });
       },
-      [&] {
-        return !isAnyFlipped_ || loop_.run(3 * count, budget, kQuickRounds, [&](int h) {
+      [&](SlicedLoop& loop) {
+        return !isAnyFlipped_ || loop.run(3 * count, budget, kQuickRounds, [&](int h) {
           int& twin = twinOf(faces_, h);
           if (twin >= 0 && out_.flipped[twin / 3]) twin += 2 - 2 * (twin % 3);
         });
@@ -136,9 +135,9 @@ bool SmallComponents::step(long& budget) {
 bool SmallComponents::drop(long& budget) {
   return dropping_.run([&] { return fillInSlices(newTriangle_, count_, -1, budget); },
                        forEach(count_, budget, 8, [&](int t) { moveUp(t); }), [&] { shorten(); },
-                       [&] {
+                       [&](SlicedLoop& loop) {
                          Faces& faces = selection_.faces;
-                         return loop_.run(3 * faces.size(), budget, kQuickRounds, [&](int h) {
+                         return loop.run(3 * faces.size(), budget, kQuickRounds, [&](int h) {
                            if (int& twin = twinOf(faces, h); twin >= 0)
                              twin = 3 * newTriangle_[twin / 3] + twin % 3;
                          });

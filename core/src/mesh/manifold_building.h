@@ -68,7 +68,6 @@ class TriangleOrienting {
   MeshRepairs& repairs_;
 
   SlicedSequence sequence_;
-  SlicedLoop loop_;
   std::vector<int> queue_;  ///< triangles, component by component, each breadth first
   std::size_t firstOfComponent_ = 0;
   int nextRoot_ = 0;
@@ -105,7 +104,6 @@ class SmallComponents {
   MeshRepairs& repairs_;
 
   SlicedSequence sequence_, dropping_;
-  SlicedLoop loop_;
   std::vector<int> size_;          ///< of each component
   std::vector<int> newComponent_;  ///< of each component, -1 if it is dropped
   std::vector<int> newTriangle_;   ///< of each triangle, -1 if it is dropped
@@ -138,7 +136,6 @@ class FanSplitting {
   MeshRepairs& repairs_;
 
   SlicedSequence sequence_;
-  SlicedLoop loop_;
   int used_ = 0;                  ///< number of representatives in use
   std::vector<int> firstVertex_;  ///< of each representative, -1 if it is not in use
   std::vector<char> isInFan_;     ///< of each halfedge, whether its fan has a vertex

@@ -149,8 +149,8 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
         [&] { requireEdgeLength(); },
         forEach(maybeFlat_, budget, kQuickRounds,
                 [&](int i) { noteFlatness(maybeFlat_[i].first, maybeFlat_[i].second); }),
-        [&] {
-          return !isLengthened() || loop_.run(m.faceCount(), budget, kMeasuredFaces, [&](int f) {
+        [&](SlicedLoop& loop) {
+          return !isLengthened() || loop.run(m.faceCount(), budget, kMeasuredFaces, [&](int f) {
             setFace(f, lengthened(triangle(f), m.repairs_.mollification));
           });
         },
@@ -356,7 +356,6 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   TriangleMesh mesh_;
 
   SlicedSequence making_, placing_, measuring_, finding_;  ///< the stages
-  SlicedLoop loop_;
   std::optional<VertexWelding> welding_;
   std::vector<int> representative_;
   std::optional<TriangleSelection> selecting_;

@@ -22,7 +22,7 @@ TriangleTree::TriangleTree(std::vector<Triangle> triangles) : triangles_(std::mo
 TriangleTree::TriangleTree(const TriangleMesh& mesh) : mesh_(&mesh) {}
 
 bool TriangleTree::step(long& budget) {
-  return sequence_.run([&] { return !mesh_ || takeFaces(budget); },
+  return sequence_.run([&](SlicedLoop& loop) { return !mesh_ || takeFaces(loop, budget); },
                        [&] {
                          order_.resize(triangles_.size());
                          std::iota(order_.begin(), order_.end(), 0);
@@ -35,9 +35,9 @@ bool TriangleTree::step(long& budget) {
                        });
 }
 
-bool TriangleTree::takeFaces(long& budget) {
+bool TriangleTree::takeFaces(SlicedLoop& loop, long& budget) {
   triangles_.reserve(mesh_->faceCount());
-  return loop_.run(mesh_->faceCount(), budget, 8, [&](int f) {
+  return loop.run(mesh_->faceCount(), budget, 8, [&](int f) {
     const auto corner = [&](int i) { return mesh_->position(mesh_->tail(3 * f + i)); };
     triangles_.push_back({corner(0), corner(1), corner(2)});
   });

@@ -51,12 +51,11 @@ class TriangleTree {
     int parent;
   };
 
-  bool takeFaces(long& budget);
+  bool takeFaces(SlicedLoop& loop, long& budget);
   void makeNext(long& budget);
 
   const TriangleMesh* mesh_ = nullptr;  ///< null for a list of triangles
   SlicedSequence sequence_;
-  SlicedLoop loop_;
   std::vector<Triangle> triangles_;
   std::vector<int> order_;  ///< triangles; those of a node are consecutive
   std::vector<Node> nodes_;

@@ -26,7 +26,9 @@ bool VertexWelding::step(long& budget) {
                   box_.extend(p);
               }),
       [&] { openGrid(); },
-      [&] { return !keptVertices_ || loop_.run(count, budget, 1, [&](int v) { weldToNear(v); }); });
+      [&](SlicedLoop& loop) {
+        return !keptVertices_ || loop.run(count, budget, 1, [&](int v) { weldToNear(v); });
+      });
 }
 
 Eigen::Vector3d VertexWelding::position(int v) const {

@@ -41,7 +41,6 @@ class VertexWelding {
   const double weld_;
 
   SlicedSequence sequence_;
-  SlicedLoop loop_;
   std::vector<int> representative_;
   Grouping places_;                        ///< vertices, grouped by a hash of their positions
   Eigen::AlignedBox3d box_;                ///< of all triangles

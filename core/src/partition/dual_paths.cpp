@@ -38,16 +38,19 @@ class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
 
   bool advance(long budget) override {
     constexpr long kPathUnits = 1000;
-    return sequence_.run([&] { return addEvenPlaces(budget); }, [&] { return offerPlaces(budget); },
-                         [&] { return addLeastPlaces(budget); },
-                         [&] { return offerPlaces(budget); },
-                         [&] {
-                           for (; paths_.size() < nearest_.size(); budget -= kPathUnits) {
-                             if (budget <= 0) return false;
-                             addPath(static_cast<int>(paths_.size()));
-                           }
-                           return true;
-                         });
+    const auto forSegments = [&](auto body) {
+      return forEach(diagram_.segments, budget, kPlacesPerUnit, body);
+    };
+    return sequence_.run(
+        forSegments([&](int i) { addEvenPlaces(i); }), [&] { return offerPlaces(budget); },
+        forSegments([&](int i) { addLeastPlace(i); }), [&] { return offerPlaces(budget); },
+        [&] {
+          for (; paths_.size() < nearest_.size(); budget -= kPathUnits) {
+            if (budget <= 0) return false;
+            addPath(static_cast<int>(paths_.size()));
+          }
+          return true;
+        });
   }
   double progress() const override {
     const double ofPaths =
@@ -64,22 +67,18 @@ class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
     double share;
   };
 
-  /// Adds the places on each segment where the squared sums are evaluated first.
-  bool addEvenPlaces(long& budget) {
-    return loop_.run(diagram_.segments.size(), budget, kPlacesPerUnit, [&](int i) {
-      for (const double share : kEvenShares) places_.push_back({&diagram_.segments[i], share});
-    });
+  /// Adds the places on a segment where the squared sums are evaluated first.
+  void addEvenPlaces(int segment) {
+    for (const double share : kEvenShares) places_.push_back({&diagram_.segments[segment], share});
   }
 
-  /// Adds the place on each segment where its parabola is least, if that is inside.
-  bool addLeastPlaces(long& budget) {
-    return loop_.run(diagram_.segments.size(), budget, kPlacesPerUnit, [&](int i) {
-      const auto* const values = &squaredSums_[kEvenShares.size() * i];
-      const double curvature = values[0] - 2 * values[1] + values[2];
-      const double share = 0.5 + (values[0] - values[2]) / (4 * curvature);
-      if (curvature > 0 && share > 0 && share < 1)
-        places_.push_back({&diagram_.segments[i], share});
-    });
+  /// Adds the place on a segment where its parabola is least, if that is inside.
+  void addLeastPlace(int segment) {
+    const auto* const values = &squaredSums_[kEvenShares.size() * segment];
+    const double curvature = values[0] - 2 * values[1] + values[2];
+    const double share = 0.5 + (values[0] - values[2]) / (4 * curvature);
+    if (curvature > 0 && share > 0 && share < 1)
+      places_.push_back({&diagram_.segments[segment], share});
   }
 
   SurfacePoint pointAt(const Place& place) const {
@@ -148,7 +147,6 @@ class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
   const Diagram& diagram_;
   const DistanceField& field_;
   SlicedSequence sequence_, round_;
-  SlicedLoop loop_;
   std::vector<Place> places_;
   std::vector<LabelledPoint> points_;  ///< both labels at each place
   std::unique_ptr<SlicedWork<std::vector<double>>> atPoints_;

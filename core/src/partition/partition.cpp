@@ -41,7 +41,7 @@ class FaceCutting {
 
   bool step(long& budget) {
     const int faces = mesh_.faceCount();
-    return sequence_.run([&] { return nameVertices(budget); },
+    return sequence_.run([&](SlicedLoop& loop) { return nameVertices(loop, budget); },
                          [&] { return sidePoints_.step(budget); },
                          [&] { pieces_.reserve(faces + diagram_.cells.points.size()); },
                          [&] { return fillInSlices(uncut_, faces, -1, budget); },
@@ -54,9 +54,9 @@ class FaceCutting {
   std::vector<int> takeUncut() { return std::move(uncut_); }
 
  private:
-  bool nameVertices(long& budget) {
+  bool nameVertices(SlicedLoop& loop, long& budget) {
     vertexOfPoint_.resize(diagram_.points.size());
-    return loop_.run(vertexOfPoint_.size(), budget, 8, [&](int i) {
+    return loop.run(vertexOfPoint_.size(), budget, 8, [&](int i) {
       const SurfacePoint& p = diagram_.points[i];
       Eigen::Index corner;
       vertexOfPoint_[i] = p.bary.maxCoeff(&corner) == 1
@@ -163,7 +163,6 @@ class FaceCutting {
   const PartitionOptions& options_;
 
   SlicedSequence sequence_;
-  SlicedLoop loop_;
   std::vector<int> vertexOfPoint_;
   SidePoints sidePoints_{mesh_, diagram_, vertexOfPoint_};
   int nextCell_ = 0;
@@ -261,7 +260,6 @@ class Partitioner final : public SlicedWork<Partition> {
   Partition out_;
 
   SlicedSequence sequence_, grouping_, numbering_;
-  SlicedLoop loop_;
   FaceCutting cutting_{mesh_, diagram_, options_};
   std::vector<Piece> pieces_;
   std::vector<int> uncut_;     ///< per face that is not cut, its piece, later its triangle; else -1
