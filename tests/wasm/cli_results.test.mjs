@@ -196,12 +196,14 @@ test('distances as JSON, PLY and GLB', async () => {
   await assertValidGlb(new Uint8Array(readFileSync(join(folder, 'd.glb'))));
 });
 
+/** The cells of a table. */
+const numbers = (text) =>
+  text
+    .trim()
+    .split('\n')
+    .map((line) => line.split(','));
+
 test('tables of located points, distances and sites', () => {
-  const numbers = (text) =>
-    text
-      .trim()
-      .split('\n')
-      .map((line) => line.split(','));
   const locate = 'locate two.glb --sites {"vertex":[0]} --points {"vertex":[3,9]} -q --units cm';
   const { label, distance } = JSON.parse(succeeds(locate).stdout);
   assert.deepEqual(numbers(succeeds(`${locate} --format csv`).stdout), [
@@ -228,6 +230,26 @@ test('tables of located points, distances and sites', () => {
     ...[0, 1, 2].map((i) => position.slice(3 * i, 3 * i + 3).map(String)),
   ]);
   succeeds('diagram shape.glb --sites s.csv -q');
+});
+
+test('a table of regions', () => {
+  const partition = 'partition two.glb --sites {"vertex":[0,1,0]} -q --units cm';
+  const { regions } = JSON.parse(succeeds(partition).stdout);
+  assert.equal(regions[2].centroid, null, 'a site at the place of another');
+  const [names, ...rows] = numbers(succeeds(`${partition} --format csv`).stdout);
+  assert.deepEqual(names.slice(0, 4), ['label', 'area', 'perimeter', 'boundaryLength']);
+  assert.deepEqual(names.slice(4, 7), ['centroid_x', 'centroid_y', 'centroid_z']);
+  assert.deepEqual(names.slice(7), ['components', 'loops', 'genus']);
+  const cells = regions.map((region, label) => [
+    label,
+    ...names.slice(1, 4).map((name) => region[name]),
+    ...(region.centroid ?? ['', '', '']),
+    ...names.slice(7).map((name) => region[name]),
+  ]);
+  assert.deepEqual(
+    rows,
+    cells.map((row) => row.map(String)),
+  );
 });
 
 test('--format decides, also on standard output and whatever the file is called', () => {

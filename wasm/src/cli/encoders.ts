@@ -191,6 +191,21 @@ export const partitionEncoders: Encoders<PartitionResult> = {
   '.obj': ({ partition, mesh }, { scale }) => partitionObj(partition, { mesh, scale }),
   '.ply': ({ partition, mesh }, { scale }) => partitionPly(partition, { mesh, scale }),
   '.stl': ({ partition, region }, { scale }) => partitionStl(partition, { region, scale }),
+  '.csv': ({ partition: { regions } }, { scale }) => {
+    const [x, y, z] = [0, 1, 2].map((k) => column(regions.centroid, 3, k).map((c) => scale * c));
+    return csv({
+      label: [...regions.area.keys()],
+      area: regions.area.map((a) => scale * scale * a),
+      perimeter: regions.perimeter.map((p) => scale * p),
+      boundaryLength: regions.boundaryLength.map((b) => scale * b),
+      centroid_x: x,
+      centroid_y: y,
+      centroid_z: z,
+      components: regions.components,
+      loops: regions.loops,
+      genus: regions.genus,
+    });
+  },
 };
 
 /** Options about the files of one ending. */

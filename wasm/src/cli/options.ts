@@ -317,12 +317,13 @@ export const commands = {
   partition: {
     summary: 'The mesh cut into the regions of sites, watertight where it was',
     result:
-      '.glb, .obj (a group per region), .ply (a label and a colour per face), .stl (triangles alone), .json (triangles, and facts of each region).',
+      '.glb, .obj (a group per region), .ply (a label and a colour per face), .stl (triangles alone), .json (triangles, and facts of each region), .csv (these facts as a table).',
     examples: [
       'mesh.glb --sites 300 -o parts.glb',
       'mesh.glb --sites sites.json --layout features -o parts.glb',
       'mesh.glb --sites 300 --format ply > parts.ply',
       'mesh.glb --sites sites.json --region 7 -o part-7.stl',
+      'mesh.glb --sites sites.json -o regions.csv',
     ],
     options: [
       ...ofSites,
