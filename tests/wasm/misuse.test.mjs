@@ -6,7 +6,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import * as api from 'geodesic-voronoi';
-import { BufferAttribute, BufferGeometry } from 'three';
+import { BufferAttribute, BufferGeometry, Mesh } from 'three';
 import { glb, octahedron } from './meshes.mjs';
 
 const { load, loadWorker } = api;
@@ -363,10 +363,11 @@ test('what is not points or a mesh, but has some', async () => {
     await refused([sites], (points) => mesh.voronoi(points), message);
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(new Float32Array(mesh.positions), 3));
-  await assert.rejects(gvd.mesh(geometry), {
-    code: 'invalid-argument',
-    message: /this is of type BufferGeometry: pass \{ positions: geometry\.attributes/,
-  });
+  for (const source of [geometry, new Mesh(geometry)])
+    await assert.rejects(gvd.mesh(source), {
+      code: 'invalid-argument',
+      message: /this is of type (BufferGeometry|Mesh): pass \{ positions: geometry\.attributes/,
+    });
   const { positions, indices } = mesh;
   geometry.setIndex(new BufferAttribute(Uint16Array.from(indices), 1));
   const arrays = { positions: geometry.attributes.position.array, indices: geometry.index?.array };

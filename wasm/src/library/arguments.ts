@@ -172,11 +172,11 @@ export function toFiles(source: unknown): ModelFiles {
   );
 }
 
-/** What is nearly a mesh: the address of a file, its bytes to come, or a geometry of three.js. */
+/** What is nearly a mesh: the address of a file, its bytes to come, or what three.js draws. */
 function adviceOn(source: unknown): string {
   if (typeof source === 'string' || isA(source, 'URL')) return ': fetch or read the file';
   if (isA(source, 'Promise')) return ': await it';
-  if (isObject(source) && 'isBufferGeometry' in source)
+  if (isObject(source) && ('isBufferGeometry' in source || 'isMesh' in source))
     return ': pass { positions: geometry.attributes.position.array, indices: geometry.index?.array }';
   return '';
 }
@@ -300,7 +300,9 @@ export function toDensity(density: Density, attribute: Float64Array): GivenDensi
   if (density === 'curvature') return density;
   const numbers = density === 'attribute' ? attribute : toFloat64('density', density);
   if (density === 'attribute' && numbers.length === 0)
-    throw invalidArgument('the mesh came without a density');
+    throw invalidArgument(
+      'the mesh came without a density: a glTF has it as the vertex attribute _DENSITY, a PLY as the property density, arrays as density',
+    );
   if (numbers.length > 0 && numbers.every((x) => x === 0))
     throw invalidArgument('the density is zero all over the surface');
   return numbers;
