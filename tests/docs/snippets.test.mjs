@@ -67,6 +67,14 @@ const examples = {
     args: ['model.glb', '7'],
     says: /^(region \d: area [\d.]+, perimeter [\d.]+\n){7}$/,
   },
+  'printable-parts.mjs': {
+    args: ['model.glb', '4', '0.05', 'piece'],
+    says: /^(part \d: area [\d.]+, closed\n){4}$/,
+  },
+  'many-models.mjs': {
+    args: ['3', 'model.glb', 'none.glb', 'model.glb'],
+    says: /^model,label,area\n(model\.glb,\d,[\d.]+\n){6}$/,
+  },
   'log-map.mjs': {
     args: ['model.glb'],
     says: /^farthest: vertex \d+ at \(-?\d+\.\d+, -?\d+\.\d+\)$/m,

@@ -315,7 +315,7 @@ export const commands = {
     options: [...ofTessellation, 'format', ...ofAll],
   },
   partition: {
-    summary: 'The mesh cut into the regions of sites, watertight where it was',
+    summary: 'The mesh cut into the regions of sites, which together are watertight where it was',
     result:
       '.glb, .obj (a group per region), .ply (a label and a colour per face), .stl (triangles alone), .json (triangles, and facts of each region), .csv (these facts as a table).',
     examples: [
