@@ -2,6 +2,14 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { gltfResourceUris, load } from 'geodesic-voronoi';
+import {
+  BoxGeometry,
+  BufferGeometry,
+  InterleavedBuffer,
+  InterleavedBufferAttribute,
+  Int16BufferAttribute,
+  Vector3,
+} from 'three';
 import { apart, glb, gltf, grid, octahedron, torn, withFlipped } from './meshes.mjs';
 import { meshPly } from './model_files.mjs';
 import { fails, near } from './expectations.mjs';
@@ -32,6 +40,38 @@ test('a mesh keeps copies of what it was made from', async () => {
   assert.deepEqual([...mesh.positions], grid(1).positions);
   assert.deepEqual([...mesh.indices], grid(1).indices);
   assert.deepEqual(mesh.parts, []);
+});
+
+test('a geometry of three.js: its attributes, however they are stored', async () => {
+  const plain = new BoxGeometry(1, 2, 3);
+  const { attributes, index } = plain;
+  const interleaved = new BufferGeometry();
+  const buffer = new InterleavedBuffer(new Float32Array(5 * attributes.position.count), 5);
+  interleaved.setIndex(index);
+  interleaved.setAttribute('position', new InterleavedBufferAttribute(buffer, 3, 0));
+  interleaved.setAttribute('uv', new InterleavedBufferAttribute(buffer, 2, 3));
+  const normalized = new BufferGeometry().setIndex(index);
+  normalized.setAttribute('position', new Int16BufferAttribute(3 * attributes.position.count, 3));
+  normalized.attributes.position.normalized = true;
+  for (let v = 0; v < attributes.position.count; ++v) {
+    const place = new Vector3().fromBufferAttribute(attributes.position, v);
+    interleaved.attributes.position.setXYZ(v, ...place);
+    interleaved.attributes.uv.setXY(v, attributes.uv.getX(v), attributes.uv.getY(v));
+    normalized.attributes.position.setXYZ(v, ...place.divideScalar(2));
+  }
+
+  const { positions, indices, normals, uvs, info } = await gvd.mesh(plain);
+  near(info.area, 22, 1e-12);
+  assert.deepEqual(positions, Float64Array.from(attributes.position.array));
+  assert.deepEqual(indices, Int32Array.from(index.array));
+  assert.deepEqual(normals, Float64Array.from(attributes.normal.array));
+  assert.deepEqual(uvs, Float64Array.from(attributes.uv.array));
+  const mesh = await gvd.mesh(interleaved);
+  assert.deepEqual([mesh.positions, mesh.indices, mesh.uvs], [positions, indices, uvs]);
+  assert.equal(mesh.normals.length, 0);
+  near((await gvd.mesh(normalized)).info.area, 22 / 4, 1e-3);
+  const loose = await gvd.mesh(plain.toNonIndexed());
+  assert.deepEqual([loose.info.faces, loose.info.area], [info.faces, info.area]);
 });
 
 test('building a mesh takes no more memory than the mesh', async (t) => {

@@ -192,9 +192,9 @@ export type ModelFiles = Record<string, ModelFile>;
 
 /**
  * A model (glTF, also compressed by Draco or meshopt, OBJ, OFF, PLY, STL, or a zip of one) as bytes
- * or a `Blob`; or all its files by their paths; or triangles as arrays.
+ * or a `Blob`; or all its files by their paths; or triangles as arrays, or as a geometry of three.js.
  */
-export type MeshSource = Uint8Array | ArrayBuffer | Blob | ModelFiles | MeshArrays;
+export type MeshSource = Uint8Array | ArrayBuffer | Blob | ModelFiles | MeshArrays | ThreeGeometry;
 
 /**
  * Triangles: x, y, z per vertex, three vertex indices per triangle; without indices, every three
@@ -206,6 +206,24 @@ export interface MeshArrays {
   normals?: ArrayLike<number> | undefined;
   uvs?: ArrayLike<number> | undefined;
   density?: ArrayLike<number> | undefined;
+}
+
+/**
+ * A `BufferGeometry` of three.js: its attributes `position`, `normal` and `uv`, and its index. They may be
+ * interleaved, or normalized. All of it is taken, as it is without morph targets and skins.
+ */
+export interface ThreeGeometry {
+  readonly isBufferGeometry: true;
+  readonly attributes: Readonly<Record<string, ThreeAttribute>>;
+  readonly index: ThreeAttribute | null;
+}
+
+/** A `BufferAttribute` of three.js, or another that it has. */
+export interface ThreeAttribute {
+  readonly count: number;
+  getX(index: number): number;
+  getY(index: number): number;
+  getZ(index: number): number;
 }
 
 /**

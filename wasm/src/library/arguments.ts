@@ -38,6 +38,8 @@ import type {
   ModelFile,
   ModelFiles,
   SurfacePointsInput,
+  ThreeAttribute,
+  ThreeGeometry,
 } from '../api/options.js';
 import { counted, integer } from '../base/sentences.js';
 
@@ -112,6 +114,7 @@ export function toMeshInput(
   { limits, file }: Pick<MeshOptions, 'file'> & { limits: GltfLimits },
 ): Triangles | FileInput {
   const reading = { limits: toLimits(limits), file: toFileName(file) };
+  if (isThreeGeometry(source)) return toTriangles(arraysOf(source));
   return isMeshArrays(source) ? toTriangles(source) : { files: toFiles(source), ...reading };
 }
 
@@ -119,6 +122,29 @@ export function toMeshInput(
 function isMeshArrays(source: MeshSource): source is MeshArrays {
   if (!isObject(source) || !('positions' in source)) return false;
   return 'indices' in source || !isModelFile(source.positions);
+}
+
+function isThreeGeometry(source: MeshSource): source is ThreeGeometry {
+  return isObject(source) && 'isBufferGeometry' in source;
+}
+
+function arraysOf({ attributes, index }: ThreeGeometry): MeshArrays {
+  if (!attributes.position) throw invalidArgument('the geometry has no attribute position');
+  return {
+    positions: valuesOf(attributes.position, 3),
+    indices: index ? valuesOf(index, 1) : undefined,
+    normals: attributes.normal && valuesOf(attributes.normal, 3),
+    uvs: attributes.uv && valuesOf(attributes.uv, 2),
+  };
+}
+
+/** The first numbers of each vertex, `size` of them, wherever they are stored and in which unit. */
+function valuesOf(attribute: ThreeAttribute, size: number): Float64Array {
+  const getters = ['getX', 'getY', 'getZ'] as const;
+  const values = new Float64Array(size * attribute.count);
+  for (let i = 0; i < values.length; ++i)
+    values[i] = attribute[getters[i % size]](Math.floor(i / size));
+  return values;
 }
 
 /** The path of the model to open, if one is given. */
@@ -172,12 +198,11 @@ export function toFiles(source: unknown): ModelFiles {
   );
 }
 
-/** What is nearly a mesh: the address of a file, its bytes to come, or what three.js draws. */
+/** What is nearly a mesh: the address of a file, its bytes to come, or an object of three.js. */
 function adviceOn(source: unknown): string {
   if (typeof source === 'string' || isA(source, 'URL')) return ': fetch or read the file';
   if (isA(source, 'Promise')) return ': await it';
-  if (isObject(source) && ('isBufferGeometry' in source || 'isMesh' in source))
-    return ': pass { positions: geometry.attributes.position.array, indices: geometry.index?.array }';
+  if (isObject(source) && 'isMesh' in source) return ': pass its geometry';
   return '';
 }
 
