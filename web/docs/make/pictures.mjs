@@ -69,6 +69,10 @@ export async function takePictures(folder) {
           { src: 'bunny.ply', sites: await random('bunny.ply', 1), layers: 'distances sites' },
         ],
       },
+      'printable-parts.webp': {
+        size: small,
+        views: [{ src: 'bunny.ply', sites: await even('bunny.ply', 12), exploded: 0.3 }],
+      },
     };
     for (const [name, picture] of Object.entries(pictures)) {
       writeFileSync(join(models, 'index.html'), pageOf(picture));
