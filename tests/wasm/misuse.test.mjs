@@ -361,8 +361,14 @@ test('what is not points or a mesh, but has some', async () => {
     [mesh.sampleSites(3), /^sites is a promise: await it$/],
   ])
     await refused([sites], (points) => mesh.voronoi(points), message);
+  const place = { getX: () => 0, getY: () => 0, getZ: () => 0 };
   for (const [source, message] of [
-    [new BufferGeometry(), /^the geometry has no attribute position$/],
+    [new BufferGeometry(), /^the geometry's position is undefined, not an attribute of three\.js$/],
+    [{ isBufferGeometry: true, attributes: null }, /^the geometry's position is undefined/],
+    [
+      { isBufferGeometry: true, attributes: { position: { ...place, count: -1 } } },
+      /^the geometry's position\.count is -1, not an integer /,
+    ],
     [new Mesh(), /this is of type Mesh: pass its geometry$/],
   ])
     await assert.rejects(gvd.mesh(source), { code: 'invalid-argument', message });

@@ -129,18 +129,23 @@ function isThreeGeometry(source: MeshSource): source is ThreeGeometry {
 }
 
 function arraysOf({ attributes, index }: ThreeGeometry): MeshArrays {
-  if (!attributes.position) throw invalidArgument('the geometry has no attribute position');
+  const { position, normal, uv } = attributes ?? {};
   return {
-    positions: valuesOf(attributes.position, 3),
-    indices: index ? valuesOf(index, 1) : undefined,
-    normals: attributes.normal && valuesOf(attributes.normal, 3),
-    uvs: attributes.uv && valuesOf(attributes.uv, 2),
+    positions: valuesOf('position', position, 3),
+    indices: index ? valuesOf('index', index, 1) : undefined,
+    normals: normal && valuesOf('normal', normal, 3),
+    uvs: uv && valuesOf('uv', uv, 2),
   };
 }
 
 /** The first numbers of each vertex, `size` of them, wherever they are stored and in which unit. */
-function valuesOf(attribute: ThreeAttribute, size: number): Float64Array {
-  const getters = ['getX', 'getY', 'getZ'] as const;
+function valuesOf(name: string, attribute: ThreeAttribute, size: number): Float64Array {
+  const getters = (['getX', 'getY', 'getZ'] as const).slice(0, size);
+  if (!isObject(attribute) || getters.some((get) => typeof attribute[get] !== 'function'))
+    throw invalidArgument(
+      `the geometry's ${name} is ${show(attribute)}, not an attribute of three.js`,
+    );
+  requireAllowed(`the geometry's ${name}.count`, attribute.count, counts);
   const values = new Float64Array(size * attribute.count);
   for (let i = 0; i < values.length; ++i)
     values[i] = attribute[getters[i % size]](Math.floor(i / size));
