@@ -323,6 +323,7 @@ suite('the centroidal tessellation', () => {
     await press('#density-paint');
     const layers = await viewer.evaluate((viewer) => viewer.layers);
     assert.deepEqual(layers, ['regions', 'bisectors', 'sites'], 'nothing covers the paint');
+    assert.equal(await viewer.page.locator('#layers [value=distances]').isChecked(), false);
     await isEnded(() => press('#sampling-form [type=submit]'), 'placed anew');
     await isEnded(() => viewer.page.selectOption('#site-list', { index: 3 }), 'a site selected');
     await isEnded(() => press('#clear'), 'removed');

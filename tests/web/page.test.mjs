@@ -432,6 +432,59 @@ suite('the page', () => {
     assert.equal(await viewer.siteCount(), count);
   });
 
+  test('a model that is asked for twice in a row is the one that the menu names', async () => {
+    const models = await viewer.evaluate(async (viewer) => {
+      const menu = document.getElementById('samples');
+      for (const value of ['torus.glb', 'hand.glb', 'torus.glb']) {
+        menu.value = value;
+        menu.dispatchEvent(new Event('change'));
+        await Promise.resolve(); // the page has begun to open it
+      }
+      await new Promise((resolve) => viewer.addEventListener('diagram', resolve, { once: true }));
+      return [viewer.info.origin.file, menu.value];
+    });
+    assert.deepEqual(models, ['torus.glb', 'torus.glb']);
+  });
+
+  test('a model that is made otherwise while it is opened is the one that is opened', async () => {
+    const result = await viewer.evaluate(async (viewer) => {
+      const { sites } = viewer;
+      const opened = viewer.load('./samples/torus.glb');
+      viewer.setAttribute('weld', '1e-6');
+      const isOpen = await opened;
+      const isKept = String(viewer.sites.face) === String(sites.face);
+      const rebuilt = new Promise((resolve) =>
+        viewer.addEventListener('load', ({ detail }) => resolve(detail.name), { once: true }),
+      );
+      viewer.setAttribute('weld', '1e-5');
+      return { isOpen, isKept, name: await rebuilt };
+    });
+    assert.deepEqual(result, { isOpen: true, isKept: false, name: 'torus.glb' });
+  });
+
+  test('models that were given up leave the first, with its settings', async () => {
+    await viewer.evaluate(async (viewer) => {
+      const menu = document.getElementById('samples');
+      viewer.setAttribute('up', 'z');
+      for (const value of ['torus.glb', 'hand.glb']) {
+        menu.value = value;
+        menu.dispatchEvent(new Event('change'));
+        await new Promise((resolve) => setTimeout(resolve));
+      }
+      viewer.cancel();
+    });
+    await viewer.page.waitForFunction(
+      () => document.getElementById('viewer').getAttribute('up') === 'z',
+    );
+    const name = await viewer.evaluate((viewer) => {
+      viewer.setAttribute('weld', '1e-6');
+      return new Promise((resolve) =>
+        viewer.addEventListener('load', ({ detail }) => resolve(detail.name), { once: true }),
+      );
+    });
+    assert.equal(name, 'bunny.ply');
+  });
+
   test('how a model is made of its file is chosen, and told', async () => {
     const crumb = { ...grid(1), positions: grid(1).positions.map((x) => x / 10) };
     const bytes = glb(withFlipped(apart(torn(octahedron(), 1e-6), crumb), 0));

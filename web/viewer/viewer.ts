@@ -12,7 +12,7 @@ import { Legend } from './layers/legend.js';
 import type { Emit } from './events.js';
 import { hexagonEnergy } from './session/hexagon_energy.js';
 import { Hover, type HoveredPoint } from './tools/hover.js';
-import type { OpenedMesh, Reader, SiteSampling } from './session/mesh_opening.js';
+import type { OpenedMesh, Opening, Reader, SiteSampling } from './session/mesh_opening.js';
 import { OpenModel } from './model/open_model.js';
 import { OriginalLayer } from './layers/original_layer.js';
 import { PageScrolling } from './tools/page_scrolling.js';
@@ -61,6 +61,10 @@ export class Viewer implements Workpiece {
   #model: OpenModel | undefined;
   /** What the model is read from, also while it is opened. */
   #read: Reader | undefined;
+  /** What the model that is shown was read from. */
+  #readShown: Reader | undefined;
+  /** Whether the model that was asked for last is there. */
+  #opening: Promise<boolean> | undefined;
   /** The time at which an iteration last moved the sites. */
   #lastIteration = 0;
   #gliding = 0;
@@ -138,23 +142,33 @@ export class Viewer implements Workpiece {
   }
 
   /** Opens a model; resolves to whether it is there now. */
-  async open(read: Reader): Promise<boolean> {
-    const before = this.#read;
-    this.#read = read; // now, so that attributes that change meanwhile rebuild this model
-    const isOpen = await this.session.open(read, this.attributes.opening);
-    if (!isOpen && this.#read === read) this.#read = before;
-    return isOpen;
+  open(read: Reader): Promise<boolean> {
+    return this.#open(read, this.attributes.opening);
   }
 
-  /** Opens the model that is shown anew, made otherwise of its files: sites and density stay. */
+  /** Opens the model anew, made otherwise of its files. The sites and density that it has stay. */
   async rebuild(): Promise<void> {
     if (!this.#read) return;
     const { attributes, session } = this;
-    const { mesh } = session;
+    const mesh = this.#read === this.#readShown ? session.mesh : undefined;
     const sites = () =>
       attributes.differ(samplingAttributes) ? undefined : surfacePointsOf(session.sites);
     const kept = mesh && { mesh, sites, tints: this.#model?.paint.tints?.slice() };
-    await session.open(this.#read, { ...attributes.opening, kept });
+    await this.#open(this.#read, { ...attributes.opening, kept });
+  }
+
+  async #open(read: Reader, how: Opening): Promise<boolean> {
+    this.#read = read; // now, so that attributes that change meanwhile rebuild this model
+    this.#opening = this.session.open(read, how);
+    let opening: Promise<boolean>;
+    let isOpen: boolean;
+    // A rebuild meanwhile opens the same model in its place.
+    do {
+      opening = this.#opening;
+      isOpen = await opening;
+    } while (opening !== this.#opening && read === this.#read);
+    if (!isOpen && read === this.#read) this.#read = this.#readShown;
+    return isOpen;
   }
 
   /** Applies the metric and the detail of the attributes. */
@@ -284,6 +298,7 @@ export class Viewer implements Workpiece {
       modelChanged: (opened) => {
         const { mesh, name } = opened;
         this.attributes.keep(buildAttributes);
+        this.#readShown = this.#read;
         this.#showModel(opened);
         this.#emit('progress', { totalProgress: 1, reason: 'loading' });
         this.#emit('load', { name, info: mesh.info, parts: mesh.parts });

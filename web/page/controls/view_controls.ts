@@ -34,8 +34,7 @@ export function setUpViewControls(viewer: GeodesicVoronoiElement): void {
 function setUpLayers(viewer: GeodesicVoronoiElement): void {
   const group = byId('layers', HTMLElement);
   const boxes = layers.map((layer) => {
-    const checked = viewer.layers.includes(layer);
-    const box = make('input', { type: 'checkbox', value: layer, checked });
+    const box = make('input', { type: 'checkbox', value: layer });
     const { title, hint } = layerTexts[layer];
     group.append(make('label', { title: hint }, box, make('span', {}, title)));
     if (isLate(layer)) markUntilDrawn(viewer, box, layer);
@@ -43,6 +42,10 @@ function setUpLayers(viewer: GeodesicVoronoiElement): void {
   });
   group.addEventListener('change', () => {
     viewer.layers = boxes.filter((box) => box.checked).map((box) => box.value as Layer);
+  });
+  // Painting a density ends the layers that cover it.
+  watchAttributes(viewer, ['layers'], () => {
+    for (const box of boxes) box.checked = viewer.layers.includes(box.value as Layer);
   });
 }
 

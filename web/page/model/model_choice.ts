@@ -56,6 +56,8 @@ class ModelMenu {
   #shown: Choice;
   /** The model that was chosen last: being opened, or shown already. */
   #asked: Choice;
+  /** The settings of the model that is shown, taken away while another is opened. */
+  #settings: [string, string][] = [];
 
   constructor(viewer: GeodesicVoronoiElement) {
     this.#viewer = viewer;
@@ -74,7 +76,10 @@ class ModelMenu {
     this.#menu.addEventListener('change', () => {
       void this.#open(this.#choices.get(this.#menu.selectedOptions[0])!);
     });
-    listen(viewer, 'load', () => this.#show(this.#asked));
+    listen(viewer, 'load', () => {
+      this.#settings = [];
+      this.#show(this.#asked);
+    });
   }
 
   /**
@@ -103,28 +108,26 @@ class ModelMenu {
 
   /** A model that cannot be opened leaves the one before, which is then what the menu says. */
   async #open(choice: Choice): Promise<boolean> {
-    this.#asked = choice;
-    const before = choice === this.#shown ? [] : await this.#takeSettings();
+    const asked = { ...choice }; // the same model may be asked for once more meanwhile
+    this.#asked = asked;
+    if (choice.option !== this.#shown.option) await this.#takeSettings();
     const isOpen = await choice.open();
-    if (!isOpen && this.#asked === choice) {
+    if (!isOpen && this.#asked === asked) {
       this.#show(this.#shown);
-      for (const [name, value] of before) this.#viewer.setAttribute(name, value);
+      for (const [name, value] of this.#settings.splice(0)) this.#viewer.setAttribute(name, value);
     }
     return isOpen;
   }
 
-  /** Removes the settings of the model that is shown, and returns them. */
-  async #takeSettings(): Promise<[string, string][]> {
-    const settings: [string, string][] = [];
+  async #takeSettings(): Promise<void> {
     for (const name of ofOneModel) {
       const value = this.#viewer.getAttribute(name);
-      if (value !== null) settings.push([name, value]);
+      if (value !== null) this.#settings.push([name, value]);
       this.#viewer.removeAttribute(name);
     }
     // The element applies attributes at the end of the task. It may begin to build this model anew, which
     // opening the next one then ends; in the other order, it would end that.
     await Promise.resolve();
-    return settings;
   }
 
   #show(choice: Choice): void {
