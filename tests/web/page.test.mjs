@@ -689,6 +689,14 @@ suite('the page', () => {
     assert.equal(await changedSince(picture), 0);
   });
 
+  test('a viewer whose context is lost is taken out without a word', async () => {
+    await viewer.after('error', () =>
+      viewer.evaluate(() => window.contexts[0].getExtension('WEBGL_lose_context').loseContext()),
+    );
+    await viewer.evaluate((viewer) => viewer.remove());
+    await viewer.drawn(); // the console is checked after each test
+  });
+
   test('a viewer that is taken out ends its workers, and starts anew when it returns', async () => {
     // One for diagrams, one for how they are drawn.
     const workers = viewer.page.workers();

@@ -144,8 +144,8 @@ export class SharedRenderer {
     if (this.#users.size > 0) return;
     present = undefined;
     this.#renderer.dispose();
-    // Not left to garbage collection, in which browsers free contexts late.
-    this.#renderer.forceContextLoss();
+    // Not left to garbage collection, in which browsers free contexts late. A lost one cannot be lost again.
+    if (!this.#renderer.getContext().isContextLost()) this.#renderer.forceContextLoss();
   }
 }
 
