@@ -593,6 +593,21 @@ suite('site history', () => {
     assert.equal(sites.canRedo, false);
   });
 
+  test('another step during a move is not taken back with that', () => {
+    for (const step of ['record', 'recordTints']) {
+      const sites = history();
+      const [{ id }] = sites.present;
+      sites.move(id, { face: 3, bary: [1, 0, 0] }, false);
+      sites[step](step === 'record' ? sites.present.slice(0, 1) : Float32Array.of(0, 1));
+      const { present, tints } = sites;
+      assert.equal(sites.cancelMove(), false);
+      assert.deepEqual([sites.present, sites.tints], [present, tints]);
+      sites.move(id, { face: 5, bary: [1, 0, 0] }, false);
+      assert.equal(sites.cancelMove(), true);
+      assert.deepEqual([sites.present, sites.tints], [present, tints]);
+    }
+  });
+
   test('a hundred steps can be undone: what is before them is forgotten', () => {
     const sites = history();
     for (let i = 0; i < 250; ++i) sites.recordTints(Float32Array.of(0, i));

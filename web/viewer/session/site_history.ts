@@ -105,12 +105,14 @@ export class SiteHistory {
     this.#move = undefined;
   }
 
-  /** A step that can be undone. */
+  /** A step that can be undone. It ends a move: what follows of that is another step. */
   record(sites: Sites): void {
+    this.endMove();
     this.#step({ ...this.#present, sites });
   }
 
   recordTints(tints: Tints): void {
+    this.endMove();
     this.#step({ ...this.#present, tints });
   }
 
@@ -129,7 +131,7 @@ export class SiteHistory {
     if (this.#move?.id !== id) this.#move = { id, isRecorded: isSameStep };
     const moved = this.present.map((site) => (site.id === id ? { id, face, bary } : site));
     if (this.#move.isRecorded) this.revise(moved);
-    else this.record(moved);
+    else this.#step({ ...this.#present, sites: moved });
     this.#move.isRecorded = true;
     return true;
   }
