@@ -55,14 +55,15 @@ suite('access', () => {
   });
 
   test('in a low window no button on the view is covered or cut off', async () => {
-    for (const [width, height] of [
-      [640, 360],
-      [844, 390],
+    for (const [width, height, isMobile] of [
+      [640, 360, true],
+      [844, 390, true],
+      [1000, 300, false],
     ]) {
       const viewer = await browser.open({
         viewport: { width, height },
-        hasTouch: true,
-        isMobile: true,
+        hasTouch: isMobile,
+        isMobile,
       });
       const covered = await viewer.page.evaluate(() =>
         [...document.querySelectorAll('#toolbar button')]
