@@ -462,6 +462,23 @@ suite('the page', () => {
     assert.deepEqual(result, { isOpen: true, isKept: false, name: 'torus.glb' });
   });
 
+  test('a site that is added while its model is made otherwise is kept', async () => {
+    const count = await viewer.siteCount();
+    const kept = await viewer.evaluate(async (viewer) => {
+      const loaded = new Promise((resolve) => viewer.addEventListener('load', resolve));
+      const add = ({ detail: { totalProgress } }) => {
+        if (totalProgress < 1) return; // the sites have been put on the new mesh
+        viewer.removeEventListener('progress', add);
+        viewer.addSite({ face: 5, bary: [0.3, 0.3, 0.4] });
+      };
+      viewer.addEventListener('progress', add);
+      viewer.setAttribute('max-edge', '0.02');
+      await loaded;
+      return viewer.sites.face.length;
+    });
+    assert.equal(kept, count + 1);
+  });
+
   test('models that were given up leave the first, with its settings', async () => {
     await viewer.evaluate(async (viewer) => {
       const menu = document.getElementById('samples');

@@ -21,12 +21,7 @@ import { PointerGestures } from './tools/pointer_gestures.js';
 import { Session } from './session/session.js';
 import type { Drawable, SessionListener } from './session/session_listener.js';
 import { factsOf, type ShownDiagram } from './session/shown_diagram.js';
-import {
-  type PointList,
-  type Site,
-  type SitePlace,
-  surfacePointsOf,
-} from './session/site_history.js';
+import type { PointList, Site, SitePlace } from './session/site_history.js';
 import { SiteSelection } from './tools/site_selection.js';
 import { type ContextListener, SharedRenderer } from './stage/shared_renderer.js';
 import { Stage } from './stage/stage.js';
@@ -150,9 +145,9 @@ export class Viewer implements Workpiece {
   async rebuild(): Promise<void> {
     if (!this.#read) return;
     const { attributes, session } = this;
+    session.pauseCvt(); // or the sites to keep would not come to rest
     const mesh = this.#read === this.#readShown ? session.mesh : undefined;
-    const sites = () =>
-      attributes.differ(samplingAttributes) ? undefined : surfacePointsOf(session.sites);
+    const sites = () => (attributes.differ(samplingAttributes) ? undefined : session.sites);
     const kept = mesh && { mesh, sites, tints: this.#model?.paint.tints?.slice() };
     await this.#open(this.#read, { ...attributes.opening, kept });
   }

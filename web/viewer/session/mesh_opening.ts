@@ -7,7 +7,6 @@ import type {
   Mesh,
   MeshOptions,
   SampleOptions,
-  SurfacePoints,
   TaskOptions,
 } from 'geodesic-voronoi';
 import { DrawingBuilder } from '../buffers/drawing_builder.js';
@@ -15,7 +14,7 @@ import { sentence } from './failure.js';
 import { lastSegment, type NamedFiles } from './model_files.js';
 import { SceneMesh } from '../buffers/scene_mesh.js';
 import { shallowEqual } from './shallow_equal.js';
-import type { PointList, Tints } from './site_history.js';
+import { type PointList, type Sites, surfacePointsOf, type Tints } from './site_history.js';
 
 /** How sites are sampled, by default as the library does. */
 export interface SiteSampling extends Omit<SampleOptions, keyof TaskOptions> {
@@ -33,8 +32,8 @@ export interface Opening {
 
 interface Kept {
   mesh: Mesh;
-  /** In place of sampled sites; undefined if these are wanted. */
-  sites: () => SurfacePoints | undefined;
+  /** In place of sampled sites; undefined if these are wanted. They may change meanwhile. */
+  sites: () => Sites | undefined;
   tints: Tints;
 }
 
@@ -114,28 +113,29 @@ async function firstSites(
 ): Promise<PointList> {
   for (;;) {
     const wanted = siteSampling();
-    const sites = await (keptSites(mesh, kept, task) ?? sampleSites(mesh, wanted, task));
+    const before = kept?.sites();
+    const sites =
+      kept && before
+        ? await keptSites(mesh, kept.mesh, before, task)
+        : await sampleSites(mesh, wanted, task);
     await rest;
-    if (shallowEqual(siteSampling(), wanted)) return sites;
+    if (shallowEqual(siteSampling(), wanted) && kept?.sites() === before) return sites;
   }
 }
 
-/** The sites that are kept, where they were. */
-function keptSites(
+/** The sites of a mesh before, where they were. */
+async function keptSites(
   mesh: Mesh,
-  kept: Kept | undefined,
+  before: Mesh,
+  sites: Sites,
   task: TaskOptions,
-): Promise<PointList> | undefined {
-  const sites = kept?.sites();
-  return (
-    sites &&
-    kept?.mesh
-      .positionsOf(sites)
-      .then((positions) => mesh.closestPoints(positions, task))
-      .catch((error) => {
-        throw sentence('The sites cannot be kept', error);
-      })
-  );
+): Promise<PointList> {
+  try {
+    const positions = await before.positionsOf(surfacePointsOf(sites));
+    return await mesh.closestPoints(positions, task);
+  } catch (error) {
+    throw sentence('The sites cannot be kept', error);
+  }
 }
 
 /** The painted density at the vertices: what it was at the closest points of the mesh before. */
