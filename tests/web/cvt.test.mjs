@@ -124,6 +124,20 @@ suite('the centroidal tessellation', () => {
     assert.equal(await text('#cvt-state'), 'Converged: gains below 1 %');
   });
 
+  test('the curve of the energy is below its title', async () => {
+    await viewer.evaluate((viewer) => viewer.setAttribute('cvt-iterations', 2));
+    await viewer.after('diagram', () => press('#cvt-play'));
+    const [titleBottom, curveTop] = await viewer.page.evaluate(() => {
+      const curve = document.getElementById('cvt-curve');
+      const title = [...curve.querySelectorAll('text')].find((text) =>
+        /log/.test(text.textContent),
+      );
+      const { y, height } = title.getBBox();
+      return [y + height, curve.querySelector('polyline').getBBox().y];
+    });
+    assert.ok(titleBottom < curveTop, `${titleBottom}, ${curveTop}`);
+  });
+
   test('regions become small where density is painted', async () => {
     const place = await viewer.freePlace();
     const picture = await viewer.picture();

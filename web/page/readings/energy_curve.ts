@@ -10,7 +10,7 @@ const svg = 'http://www.w3.org/2000/svg';
 /** In units of the drawing, which is as wide as the panel. */
 const width = 284;
 const height = 104;
-const plot = { left: 38, right: width - 6, top: 8, bottom: height - 20 };
+const plot = { left: 38, right: width - 6, top: 20, bottom: height - 20 };
 
 /** The least width of the axis, in iterations: with fewer, the line would be too steep to read. */
 const fewestIterations = 10;
@@ -52,7 +52,7 @@ export class EnergyCurve {
       line('axis', plot.left, plot.top, plot.left, plot.bottom),
       text('start', plot.left, plot.bottom + 14, '0'),
       text('end', plot.right, plot.bottom + 14, `${lastIteration} iterations`),
-      text('start', plot.left + 6, plot.top + 8, 'energy (log)'),
+      text('start', plot.left, plot.top - 9, 'energy (log)'),
     ];
     const middle = (plot.left + plot.right) / 2;
     if (last < 0) {
