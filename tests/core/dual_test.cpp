@@ -471,6 +471,30 @@ TEST(Repair, SaysThatSitesDoNotHelpAlongAnEdgeThatIsCut) {
   EXPECT_NE(error.find("triangles are too long: site"), std::string::npos) << error;
 }
 
+/// Around the tips of spikes, sites were added ever nearer to the tip, until 1000 did not suffice
+/// or two came to one place.
+TEST(Repair, SurroundsTheTipsOfSpikes) {
+  shapes::Shape shape = shapes::icosphere(2);
+  for (int v = 0; v < 12; ++v) shape.setPosition(v, 4 * shape.position(v));
+  const auto mesh = shape.mesh();
+  for (const auto& sites : {sampleUniform(mesh, 20, 1), sampleFarthest(mesh, 20, 1)}) {
+    const RepairedSites repaired = repair(mesh, sites, Metric::kExact, {.maxAdded = 100});
+    EXPECT_TRUE(hasTheTopologyOf(mesh, dualMesh(mesh, repaired.sites, repaired.diagram)));
+  }
+}
+
+/// An open cone, longer on one side: the mesh ends before a place across from the far site.
+TEST(Repair, SurroundsATipNearTheBoundary) {
+  shapes::Shape shape = shapes::vertexFan(6, 0.3);
+  shape.setPosition(1, shape.position(0) + 3 * (shape.position(1) - shape.position(0)));
+  const auto mesh = shape.mesh();
+  const std::vector<SurfacePoint> sites = {{0, {1, 0, 0}}, {0, {0.2, 0.79, 0.01}}};
+  const RepairedSites repaired = repair(mesh, sites, Metric::kExact, {.maxAdded = 100});
+  EXPECT_TRUE(hasTheTopologyOf(mesh, dualMesh(mesh, repaired.sites, repaired.diagram)));
+  for (const SurfacePoint& site : repaired.sites)
+    EXPECT_GT(site.bary[0], 1e-3);  // on the rim, it is zero
+}
+
 /// The only triangle's middle is where the first site is.
 TEST(Repair, AddsSitesToOneTriangle) {
   const auto mesh = shapes::triangle().mesh();

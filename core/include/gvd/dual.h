@@ -107,7 +107,10 @@ std::unique_ptr<SlicedWork<std::vector<Violation>>> startViolations(
 
 /// The sites that one round of `repair` adds. For each violation, this is a point inside a triangle
 /// of the partition, a quarter of the way from its middle to a corner: of those in triangles that
-/// show the violation, the one farthest from its site. A component without a site gets one point. A
+/// show the violation, the one farthest from its site. A component without a site gets one point.
+/// Where two regions meet along a closed curve around a *sharp cone*, an inner vertex whose angles
+/// sum to less than π, the outer one's site is added twice more, turned about this vertex by a
+/// third and two thirds of that sum: points on the curve would come ever nearer to the vertex. A
 /// violation is left to the next round if a region concerned is next to one that gets a new site in
 /// this round, because it may then be gone. Empty if there are no violations.
 ///

@@ -2,7 +2,9 @@
 //
 // Repair of a dual: adds sites at its violations until there are none.
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -11,19 +13,109 @@
 #include "base/rejection.h"
 #include "base/sliced_loop.h"
 #include "distance/site_distances.h"
+#include "distance/site_frame.h"
 #include "gvd/dynamic_diagram.h"
 #include "gvd/error.h"
+#include "gvd/straightest.h"
+#include "mesh/face_layout.h"
+#include "mesh/representations.h"
 #include "partition/dual_parts.h"
 
 namespace gvd {
 namespace {
 
+// --- Sharp cones ---------------------------------------------------------------------------------
+// A sharp cone is an inner vertex whose angles sum to less than π. Around it, two regions may meet
+// along a closed curve however near their sites are: sites added on such curves come ever nearer to
+// the vertex, and never end them. But bisectors of sites that are equally far from the vertex run
+// straight to it, so a region around it meets three such sites in three arcs.
+
+/// The sharp cone with the least angle sum in a region; -1 if there is none.
+int sharpestConeIn(const TriangleMesh& mesh, const Partition& partition,
+                   const RegionPatch& region) {
+  int sharpest = -1;
+  double least = std::numbers::pi;
+  for (int t = region.firstTriangle; t < region.firstTriangle + region.triangleCount; ++t)
+    for (const int p : partition.triangles[t]) {
+      const int v = vertexAt(mesh, partition.points[p]);
+      if (v < 0 || mesh.onBoundary(v) || mesh.angleSum(v) >= least) continue;
+      sharpest = v;
+      least = mesh.angleSum(v);
+    }
+  return sharpest;
+}
+
+/// The direction in which a path leaves a vertex, as an angle from `TriangleMesh::outgoing`.
+double angleOfPath(const TriangleMesh& mesh, int vertex, std::span<const SurfacePoint> path) {
+  double angle = 0;
+  for (const int h : mesh.fan(vertex)) {
+    if (const auto next = pointInFace(mesh, path[1], TriangleMesh::faceOf(h))) {
+      const Eigen::Vector2d way = layOut(mesh.face(next->face), h % 3, next->bary);
+      return angle + std::atan2(way.y(), way.x());
+    }
+    angle += mesh.cornerAngle(h);
+  }
+  return angle;
+}
+
+/// A site turned about a cone, by a third and by two thirds of the angle sum. Empty if the mesh
+/// ends before.
+std::vector<SurfacePoint> turnedAbout(const TriangleMesh& mesh, int cone,
+                                      const SurfacePoint& site) {
+  const SurfacePoint start = pointAtVertex(mesh, cone);
+  const auto path = shortestPath(mesh, start, site);
+  if (path.size() < 2) return {};
+  const double radius = lengthOf(mesh, path), sum = mesh.angleSum(cone);
+  const double outgoing = angleOfOutgoing(mesh, start, mesh.outgoing(cone));
+  const double angle = angleOfPath(mesh, cone, path);
+  std::vector<SurfacePoint> turned;
+  for (const int thirds : {1, 2}) {
+    const double direction = outgoing + std::fmod(angle + thirds * sum / 3, sum);
+    const StraightestGeodesic way = walkStraight(
+        mesh, start, radius * Eigen::Vector2d(std::cos(direction), std::sin(direction)));
+    if (way.metBoundary) return {};
+    turned.push_back(way.end);
+  }
+  return turned;
+}
+
+/// The sites that end a closed curve between two regions if one of them is a disk with a sharp
+/// cone: the other's site, turned about the cone.
+std::vector<SurfacePoint> sitesAroundCone(const TriangleMesh& mesh,
+                                          std::span<const SurfacePoint> sites,
+                                          const Partition& partition, const Violation& violation) {
+  if (violation.kind != Violation::kClosedBorder) return {};
+  for (const int side : {0, 1}) {
+    const RegionPatch& region = partition.regions[violation.labels[side]];
+    if (region.components != 1 || region.loops != 1 || region.genus != 0) continue;
+    const int cone = sharpestConeIn(mesh, partition, region);
+    if (cone >= 0) return turnedAbout(mesh, cone, sites[violation.labels[1 - side]]);
+  }
+  return {};
+}
+
+// --- Sites of one round --------------------------------------------------------------------------
+
 /// Where one site is to be added: at the one of these points that is farthest from the nearest
 /// site.
 struct Gap {
-  std::vector<int> labels;  ///< of the regions that the points lie in; none in a bare component
+  std::vector<int> labels;  ///< of the regions that the points lie in; none for a single point
   std::vector<SurfacePoint> points;
 };
+
+/// The gap where a violation shows, or in a component without a site.
+Gap gapAt(const TriangleMesh& mesh, const Partition& partition, const Finding& finding) {
+  if (finding.bareFace >= 0) return {{}, {{finding.bareFace, Eigen::Vector3d::Constant(1.0 / 3)}}};
+  Gap gap{finding.violation.labels, {}};
+  for (const int t : finding.triangles) {
+    // Three candidates per triangle, because the middle may be the place of a site.
+    const Eigen::Matrix3d corners = cornersInFace(mesh, partition, t);
+    const Eigen::Vector3d middle = corners.rowwise().mean();
+    for (int i = 0; i < 3; ++i)
+      gap.points.push_back({partition.triangleFace[t], (3 * middle + corners.col(i)) / 4});
+  }
+  return gap;
+}
 
 /// The gaps to fill in one round of the repair, for the violations of a diagram.
 std::vector<Gap> gapsOf(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
@@ -31,22 +123,16 @@ std::vector<Gap> gapsOf(const TriangleMesh& mesh, std::span<const SurfacePoint> 
                         const RegionComplex& complex) {
   std::vector<Gap> gaps;
   std::vector<char> isTouched(diagram.siteCount);  // regions that a new site may change
-  for (const auto& [violation, triangles, bareFace] :
-       inspect(mesh, sites, diagram, partition, complex)) {
+  for (const Finding& finding : inspect(mesh, sites, diagram, partition, complex)) {
+    const Violation& violation = finding.violation;
     const std::vector<int>& labels = violation.labels;
     if (violation.kind == Violation::kNoRegion) rejectArgument(violation.message);
     if (violation.kind == Violation::kNoManifold) throw std::logic_error(violation.message);
     if (std::any_of(labels.begin(), labels.end(), [&](int label) { return isTouched[label]; }))
       continue;
-    Gap& gap = gaps.emplace_back(Gap{labels, {}});
-    if (bareFace >= 0) gap.points.push_back({bareFace, Eigen::Vector3d::Constant(1.0 / 3)});
-    for (const int t : triangles) {
-      // Three candidates per triangle, because the middle may be the place of a site.
-      const Eigen::Matrix3d corners = cornersInFace(mesh, partition, t);
-      const Eigen::Vector3d middle = corners.rowwise().mean();
-      for (int i = 0; i < 3; ++i)
-        gap.points.push_back({partition.triangleFace[t], (3 * middle + corners.col(i)) / 4});
-    }
+    const auto aroundCone = sitesAroundCone(mesh, sites, partition, violation);
+    for (const SurfacePoint& p : aroundCone) gaps.push_back({{}, {p}});
+    if (aroundCone.empty()) gaps.push_back(gapAt(mesh, partition, finding));
     for (const int label : labels) {
       isTouched[label] = true;
       for (const auto& n : partition.regions[label].neighbours) isTouched[n.label] = true;
