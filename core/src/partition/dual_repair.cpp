@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "base/plane.h"
 #include "base/rejection.h"
 #include "base/sliced_loop.h"
 #include "distance/site_distances.h"
@@ -71,8 +72,7 @@ std::vector<SurfacePoint> turnedAbout(const TriangleMesh& mesh, int cone,
   std::vector<SurfacePoint> turned;
   for (const int thirds : {1, 2}) {
     const double direction = outgoing + std::fmod(angle + thirds * sum / 3, sum);
-    const StraightestGeodesic way = walkStraight(
-        mesh, start, radius * Eigen::Vector2d(std::cos(direction), std::sin(direction)));
+    const auto way = walkStraight(mesh, start, radius * unitVector(direction));
     if (way.metBoundary) return {};
     turned.push_back(way.end);
   }
