@@ -69,6 +69,7 @@ void InputMap::mapTriangle(int t) {
     corners |= corner << (2 * i);
   }
   if (face >= 0 && selection_.input[face] == t) return;
+  // In place: no more triangles are dropped than have been mapped.
   selection_.kept[out_.droppedCorners.size()] = face;
   out_.droppedCorners.push_back(static_cast<std::uint8_t>(corners));
 }

@@ -52,7 +52,8 @@ void TriangleSelection::findOriginals(std::span<int> triangles) {
   const auto otherCorners = [&](int t) {
     const auto [a, b, c] = welded_[t];
     const int lowest = std::min({a, b, c}), highest = std::max({a, b, c});
-    return std::pair(a ^ b ^ c ^ lowest ^ highest, highest);
+    const int middle = a ^ b ^ c ^ lowest ^ highest;  // what is left of the three
+    return std::pair(middle, highest);
   };
   std::sort(triangles.begin(), triangles.end(), [&](int a, int b) {
     return std::pair(otherCorners(a), a) < std::pair(otherCorners(b), b);
