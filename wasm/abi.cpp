@@ -9,7 +9,7 @@
 namespace gvd::abi {
 namespace {
 
-/// `ErrorCode` in `src/errors.ts` explains them.
+/// `ErrorCode` in `src/api/errors.ts` explains them.
 constexpr Named<ErrorCode> kErrorCodes[] = {
     {"invalid-mesh", ErrorCode::kInvalidMesh},         {"invalid-gltf", ErrorCode::kInvalidGltf},
     {"invalid-point", ErrorCode::kInvalidPoint},       {"too-few-sites", ErrorCode::kTooFewSites},
@@ -50,7 +50,7 @@ void keepError() {
   }
 }
 
-/// Values stay where they are: what they come in is kept.
+/// Takes the values over without a copy: the entry keeps their container.
 template <class Values>
 void Record::addValues(const char* name, Type type, Values values, std::size_t numbersPerItem) {
   auto kept = std::make_shared<const Values>(std::move(values));

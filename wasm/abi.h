@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What every module of ours shares at its border with JavaScript: how arguments come in, how
-// results and errors go out. `src/wasm_module.ts` is the other side.
+// results and errors go out. `src/base/wasm_module.ts` is the other side.
 //
 // The C++ functions themselves are the only list of what can be called. JavaScript calls them by
 // name, with as many arguments as they have; results and enumerators cross by name, too. So the two
@@ -21,7 +21,6 @@
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -47,7 +46,7 @@ using Doubles = const Array<double>&;
 using Bytes = const Array<std::byte>&;
 using Text = const Array<char>&;
 
-inline std::string_view toView(Text text) { return {text.data, text.size}; }
+inline std::string toString(Text text) { return {text.data, text.size}; }
 
 /// A result: named values, of which JavaScript makes an object. A dot in a name leads into an
 /// object inside: `points.face`.
@@ -104,8 +103,8 @@ class Record {
 /// How a slice of work ended; zero when it failed, as with every function here.
 enum SliceEnd { kFailed = 0, kMoreToDo = 1, kDone = 2 };
 
-/// A record on its way out, until JavaScript has copied and freed it; before that, the work that it
-/// comes from, if any.
+/// The answer to a call: work that JavaScript steps through, if any, then the record that it ends
+/// in, which JavaScript copies and frees.
 struct Answer {
   std::unique_ptr<SlicedWork<Record>> work;
   Record record;
@@ -184,14 +183,15 @@ struct Named {
 
 /// The enumerator of a name; `what` says what it is for, if there is none.
 template <class Enum, std::size_t n>
-Enum valueOf(const Named<Enum> (&table)[n], const char* what, std::string_view name) {
+Enum valueOf(const Named<Enum> (&table)[n], const char* what, Text text) {
+  const std::string name = toString(text);
   std::string names;
   for (const Named<Enum>& entry : table) {
     if (entry.name == name) return entry.value;
     names.append(names.empty() ? "" : ", ").append(entry.name);
   }
   throw Error(ErrorCode::kInvalidArgument,
-              std::string(what) + " is \"" + std::string(name) + "\", not one of " + names);
+              std::string(what) + " is \"" + name + "\", not one of " + names);
 }
 
 template <class Enum, std::size_t n>

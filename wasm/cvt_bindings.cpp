@@ -21,12 +21,12 @@ CvtOptions optionsOf(const TriangleMesh& mesh, Text method, Text metric, int ite
                      double energyTolerance, double moveTolerance, Doubles density,
                      Ints fixedSites) {
   CvtOptions options;
-  options.method = valueOf(kCvtMethods, "method", toView(method));
-  options.metric = metricOf(toView(metric));
+  options.method = valueOf(kCvtMethods, "method", method);
+  options.metric = metricOf(metric);
   options.iterations = iterations;
   options.energyTolerance = energyTolerance;
   options.moveTolerance = moveTolerance;
-  options.density = valuesFromInput(mesh, "densities", density.span());
+  options.density = densityFromInput(mesh, density);
   options.fixedSites.assign(fixedSites.data, fixedSites.data + fixedSites.size);
   return options;
 }

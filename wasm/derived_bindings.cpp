@@ -34,7 +34,7 @@ constexpr Named<Violation::Kind> kViolationKinds[] = {
 /// `Partition`.
 class PartitionRecording final : public SlicedWork<Record> {
  public:
-  PartitionRecording(Surface on, const PartitionOptions& options)
+  PartitionRecording(DiagramOnMesh on, const PartitionOptions& options)
       : on_(std::move(on)), work_(startPartition(*on_.mesh, *on_.diagram, options)) {}
 
   bool advance(long budget) override {
@@ -71,7 +71,7 @@ class PartitionRecording final : public SlicedWork<Record> {
     face = on_.mesh->inputFace(face);
   }
 
-  const Surface on_;
+  const DiagramOnMesh on_;
   std::unique_ptr<SlicedWork<Partition>> work_;
   Partition partition_;
   std::vector<Eigen::Vector3d> corners_;
@@ -86,14 +86,14 @@ GVD_ABI Answer* partition(VoronoiHandle* voronoi, bool leaveOutIndifferent,
                           bool leaveOutUnreachable) {
   const PartitionOptions options = {.leaveOutIndifferent = leaveOutIndifferent,
                                     .leaveOutUnreachable = leaveOutUnreachable};
-  return answerOn(voronoi, [options](const Surface& on) {
+  return answerOn(voronoi, [options](const DiagramOnMesh& on) {
     return std::make_unique<PartitionRecording>(on, options);
   });
 }
 
 /// `PolygonMesh`: the dual, or if `primal` the regions themselves.
 GVD_ABI Answer* dual(VoronoiHandle* voronoi, bool primal) {
-  return answerOn(voronoi, [=](const Surface& on) {
+  return answerOn(voronoi, [=](const DiagramOnMesh& on) {
     return recording(
         primal ? startRegionMesh(*on.mesh, *on.diagram)
                : startDualMesh(*on.mesh, voronoi->sitesByLabel(), *on.diagram),
@@ -103,7 +103,7 @@ GVD_ABI Answer* dual(VoronoiHandle* voronoi, bool primal) {
 
 /// `DualPaths`.
 GVD_ABI Answer* dualPaths(VoronoiHandle* voronoi) {
-  return answerOn(voronoi, [=](const Surface& on) {
+  return answerOn(voronoi, [=](const DiagramOnMesh& on) {
     return recording(startDualPaths(*on.mesh, *on.diagram, voronoi->field()),
                      [on](const std::vector<DualPath>& paths) {
                        std::vector<int> labels, offset = {0};
@@ -124,7 +124,7 @@ GVD_ABI Answer* dualPaths(VoronoiHandle* voronoi) {
 
 /// Per violation of the dual its kind and its message, and a list of labels.
 GVD_ABI Answer* dualViolations(VoronoiHandle* voronoi) {
-  return answerOn(voronoi, [=](const Surface& on) {
+  return answerOn(voronoi, [=](const DiagramOnMesh& on) {
     return recording(startViolations(*on.mesh, voronoi->sitesByLabel(), *on.diagram),
                      [on](const std::vector<Violation>& violations) {
                        std::vector<std::string> kinds, messages;
@@ -148,7 +148,7 @@ GVD_ABI Answer* dualViolations(VoronoiHandle* voronoi) {
 
 /// `RemeshQuality` of the dual.
 GVD_ABI Answer* dualQuality(VoronoiHandle* voronoi) {
-  return answerOn(voronoi, [=](const Surface& on) {
+  return answerOn(voronoi, [=](const DiagramOnMesh& on) {
     return recording(
         startQuality(*on.mesh, startDualMesh(*on.mesh, voronoi->sitesByLabel(), *on.diagram)),
         [on](const RemeshQuality& quality) {

@@ -216,7 +216,7 @@ GVD_ABI Answer* createVoronoi(const MeshHandle* handle, Ints face, Doubles bary,
     auto voronoi = std::make_unique<VoronoiHandle>();
     voronoi->surface = *handle;
     voronoi->sites = sitesFromInput(voronoi->mesh(), face, bary);
-    voronoi->metric = metricOf(toView(metric));
+    voronoi->metric = metricOf(metric);
     voronoi->options = {.detail = detail};
     return answerOf(std::make_unique<VoronoiMaking>(std::move(voronoi)));
   });
@@ -232,7 +232,7 @@ GVD_ABI Answer* distancesAtVertices(const MeshHandle* handle, Ints face, Doubles
                                     Text metric) {
   return guarded([&] {
     return answerOf(std::make_unique<VertexDistances>(
-        handle->mesh, sitesFromInput(*handle->mesh, face, bary), metricOf(toView(metric))));
+        handle->mesh, sitesFromInput(*handle->mesh, face, bary), metricOf(metric)));
   });
 }
 
@@ -249,7 +249,8 @@ GVD_ABI Answer* pathToSite(const VoronoiHandle* voronoi, Ints face, Doubles bary
 
 /// `DiagramData`.
 GVD_ABI Answer* voronoiDiagram(VoronoiHandle* voronoi) {
-  return answerOn(voronoi, [](const Surface& on) { return diagramRecording(on.mesh, on.diagram); });
+  return answerOn(voronoi,
+                  [](const DiagramOnMesh& on) { return diagramRecording(on.mesh, on.diagram); });
 }
 
 /// `DiagramChange`. Nothing else may be asked of the diagram until it is done.
@@ -271,13 +272,13 @@ GVD_ABI Answer* removeSite(VoronoiHandle* voronoi, int label) {
 /// `SurfacePoints`: one, for the worst region.
 GVD_ABI Answer* worstRegionPoint(VoronoiHandle* voronoi, Text worst) {
   return guarded([&] {
-    const WorstRegion kind = worstRegionOf(toView(worst));
+    const WorstRegion kind = worstRegionOf(worst);
     const auto point = [voronoi] {
       const SurfacePoint place = voronoi->worstRegions->point();
       return pointsRecord(voronoi->mesh(), {&place, 1});
     };
     if (voronoi->worstRegions && voronoi->worstRegions->kind() == kind) return answer(point);
-    return answerOn(voronoi, [=](const Surface& on) {
+    return answerOn(voronoi, [=](const DiagramOnMesh& on) {
       return recording(WorstRegions::start(*on.mesh, voronoi->field(), *on.diagram, kind),
                        [voronoi, point, on](WorstRegions regions) {
                          voronoi->worstRegions.emplace(std::move(regions));
@@ -289,7 +290,7 @@ GVD_ABI Answer* worstRegionPoint(VoronoiHandle* voronoi, Text worst) {
 
 /// `DiagramAccuracy`.
 GVD_ABI Answer* diagramAccuracy(VoronoiHandle* voronoi, int samples) {
-  return answerOn(voronoi, [=](const Surface& on) {
+  return answerOn(voronoi, [=](const DiagramOnMesh& on) {
     return recording(startAccuracy(*on.mesh, voronoi->field(), *on.diagram, samples),
                      [on](const DiagramAccuracy& accuracy) {
                        Record out;

@@ -27,7 +27,7 @@ GltfLimits toLimits(std::span<const Array<char>> names, std::span<const double> 
   };
   GltfLimits limits;
   for (std::size_t i = 0; i < names.size(); ++i)
-    limits.*valueOf(kLimits, "limit", toView(names[i])) = static_cast<std::size_t>(values[i]);
+    limits.*valueOf(kLimits, "limit", names[i]) = static_cast<std::size_t>(values[i]);
   return limits;
 }
 
@@ -67,7 +67,7 @@ GVD_ABI Answer* readGltfScene(Bytes bytes, const Array<Array<char>>& uris,
   return guarded([&] {
     auto resources = std::make_unique<std::vector<GltfResource>>();
     for (std::size_t i = 0; i < uris.size; ++i)
-      resources->push_back({std::string(toView(uris.data[i])), files.data[i].span()});
+      resources->push_back({toString(uris.data[i]), files.data[i].span()});
     auto reading =
         startGltf(bytes.span(), *resources, toLimits(limitNames.span(), limitValues.span()));
     return answerOf(std::move(reading), [resources = std::move(resources)](GltfScene scene) {

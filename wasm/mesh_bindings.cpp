@@ -172,10 +172,9 @@ GVD_ABI Answer* subdivideMeshArrays(MeshArrays* arrays, double maxEdge) {
 /// then.
 GVD_ABI Answer* createMesh(MeshArrays* arrays, double weld, Text orientation, int minComponent) {
   return guarded([&] {
-    const MeshOptions options = {
-        .weld = weld,
-        .orientation = valueOf(kOrientations, "orientation", toView(orientation)),
-        .minComponent = minComponent};
+    const MeshOptions options = {.weld = weld,
+                                 .orientation = valueOf(kOrientations, "orientation", orientation),
+                                 .minComponent = minComponent};
     return answerOf(startMesh(std::move(arrays->positions), std::move(arrays->triangles), options),
                     [](TriangleMesh mesh) {
                       auto handle = std::make_unique<MeshHandle>();
@@ -229,10 +228,10 @@ GVD_ABI Answer* sampleSites(const MeshHandle* handle, int count, Text sampling, 
     const TriangleMesh& mesh = *handle->mesh;
     const auto from = static_cast<std::uint64_t>(seed);
     if (density.size > 0) {
-      std::vector<double> values = valuesFromInput(mesh, "densities", density.span());
-      return pointsAnswer(*handle, startByDensity(mesh, std::move(values), count, from));
+      return pointsAnswer(*handle,
+                          startByDensity(mesh, densityFromInput(mesh, density), count, from));
     }
-    switch (valueOf(kSamplings, "sampling", toView(sampling))) {
+    switch (valueOf(kSamplings, "sampling", sampling)) {
       case Sampling::kFarthest:
         return pointsAnswer(*handle, startFarthest(mesh, count, from));
       case Sampling::kPoisson:
@@ -249,7 +248,7 @@ GVD_ABI Answer* sampleSitesWorstFirst(const MeshHandle* handle, int count, Text 
   return guarded([&] {
     return pointsAnswer(*handle,
                         startWorstFirst(*handle->mesh, count, static_cast<std::uint64_t>(seed),
-                                        worstRegionOf(toView(worst))));
+                                        worstRegionOf(worst)));
   });
 }
 
@@ -259,7 +258,7 @@ GVD_ABI Answer* sampleSitesByRadius(const MeshHandle* handle, double radius, Tex
   return guarded([&] {
     const TriangleMesh& mesh = *handle->mesh;
     const auto from = static_cast<std::uint64_t>(seed);
-    switch (valueOf(kSamplings, "sampling", toView(sampling))) {
+    switch (valueOf(kSamplings, "sampling", sampling)) {
       case Sampling::kFarthest: {
         constexpr int kAny = std::numeric_limits<int>::max();
         return pointsAnswer(*handle, startFarthest(mesh, kAny, from, radius));
@@ -279,8 +278,8 @@ GVD_ABI Answer* coverComponents(const MeshHandle* handle, Ints face, Doubles bar
   return answer([&] {
     const TriangleMesh& mesh = *handle->mesh;
     return pointsRecord(
-        mesh, gvd::coverComponents(mesh, pointsFromInput(mesh, "site", face, bary), perComponent,
-                                   count, static_cast<std::uint64_t>(seed)));
+        mesh, gvd::coverComponents(mesh, sitesFromInput(mesh, face, bary), perComponent, count,
+                                   static_cast<std::uint64_t>(seed)));
   });
 }
 

@@ -18,18 +18,18 @@ constexpr Named<WorstRegion> kWorstRegions[] = {{"size", WorstRegion::kSize},
 }  // namespace
 
 bool PointLookup::advance(long budget) {
-  constexpr long kUnits = 16;
+  constexpr long kUnitsPerLookUp = 16;
   if (!prepare(budget)) return false;
-  for (; next_ < count_; budget -= kUnits) {
+  for (; next_ < count_; budget -= kUnitsPerLookUp) {
     if (budget <= 0) return false;
     lookUp(next_++);
   }
   return true;
 }
 
-Metric metricOf(std::string_view name) { return valueOf(kMetrics, "metric", name); }
+Metric metricOf(Text name) { return valueOf(kMetrics, "metric", name); }
 
-WorstRegion worstRegionOf(std::string_view name) { return valueOf(kWorstRegions, "worst", name); }
+WorstRegion worstRegionOf(Text name) { return valueOf(kWorstRegions, "worst", name); }
 
 bool DiagramWork::advance(long budget) {
   if (!work_) {
@@ -71,16 +71,6 @@ void VoronoiHandle::takeDynamic(DynamicDiagram made) {
   sharedDistances.reset();
 }
 
-std::vector<SurfacePoint> pointsFromInput(const TriangleMesh& mesh, const char* what, Ints face,
-                                          Doubles bary) {
-  std::vector<SurfacePoint> points;
-  points.reserve(face.size);
-  for (std::size_t i = 0; i < face.size; ++i)
-    points.push_back(
-        naming(what, i, [&] { return pointFromInput(mesh, face.data[i], bary.data + 3 * i); }));
-  return points;
-}
-
 std::vector<SurfacePoint> sitesFromInput(const TriangleMesh& mesh, Ints face, Doubles bary) {
   std::vector<SurfacePoint> sites;
   sites.reserve(face.size);
@@ -102,15 +92,14 @@ SurfacePoint pointFromInput(const TriangleMesh& mesh, Ints face, Doubles bary) {
   return pointFromInput(mesh, face.data[0], bary.data);
 }
 
-std::vector<double> valuesFromInput(const TriangleMesh& mesh, const char* what,
-                                    std::span<const double> values) {
-  if (values.empty()) return {};
-  if (values.size() != static_cast<std::size_t>(mesh.inputVertexCount()))
+std::vector<double> densityFromInput(const TriangleMesh& mesh, Doubles density) {
+  if (density.size == 0) return {};
+  if (density.size != static_cast<std::size_t>(mesh.inputVertexCount()))
     throw Error(ErrorCode::kInvalidArgument,
-                "there are " + std::to_string(values.size()) + " " + what + " for " +
-                    std::to_string(mesh.inputVertexCount()) + " input vertices");
+                "the number of densities is " + std::to_string(density.size) +
+                    ", not that of input vertices, " + std::to_string(mesh.inputVertexCount()));
   std::vector<double> result(mesh.vertexCount());
-  for (int v = 0; v < mesh.vertexCount(); ++v) result[v] = values[mesh.inputVertex(v)];
+  for (int v = 0; v < mesh.vertexCount(); ++v) result[v] = density.data[mesh.inputVertex(v)];
   return result;
 }
 

@@ -10,7 +10,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -34,8 +33,8 @@ struct MeshHandle {
   std::shared_ptr<std::optional<ClosestPointQuery>> closestPoints;
 };
 
-/// A mesh and a diagram of it.
-struct Surface {
+/// A diagram as traced, with the mesh that it is on.
+struct DiagramOnMesh {
   std::shared_ptr<const TriangleMesh> mesh;
   std::shared_ptr<const Diagram> diagram;
 };
@@ -68,7 +67,7 @@ struct VoronoiHandle {
 class DiagramWork final : public SlicedWork<Record> {
  public:
   /// Begins the work; it may keep what it is given.
-  using Start = std::function<std::unique_ptr<SlicedWork<Record>>(const Surface& on)>;
+  using Start = std::function<std::unique_ptr<SlicedWork<Record>>(const DiagramOnMesh& on)>;
 
   /// The handle must outlive the steps.
   DiagramWork(VoronoiHandle& voronoi, Start start) : voronoi_(voronoi), start_(std::move(start)) {}
@@ -115,8 +114,8 @@ class PointLookup : public SlicedWork<Record> {
   std::size_t next_ = 0;
 };
 
-Metric metricOf(std::string_view name);
-WorstRegion worstRegionOf(std::string_view name);
+Metric metricOf(Text name);
+WorstRegion worstRegionOf(Text name);
 
 /// Calls `f`; its error, if any, is said to be about `what` number `index`.
 template <class F>
@@ -129,10 +128,6 @@ auto naming(const char* what, std::size_t index, F&& f) -> decltype(f()) {
   }
 }
 
-/// Points of the input; `what` is one of them, for errors.
-std::vector<SurfacePoint> pointsFromInput(const TriangleMesh& mesh, const char* what, Ints face,
-                                          Doubles bary);
-
 /// Sites of the input, by label; one of face -1 and coordinates 0, as results have it, is a label
 /// without a site.
 std::vector<SurfacePoint> sitesFromInput(const TriangleMesh& mesh, Ints face, Doubles bary);
@@ -141,10 +136,8 @@ std::vector<SurfacePoint> sitesFromInput(const TriangleMesh& mesh, Ints face, Do
 SurfacePoint pointFromInput(const TriangleMesh& mesh, int face, const double* bary);
 SurfacePoint pointFromInput(const TriangleMesh& mesh, Ints face, Doubles bary);
 
-/// Turns values per input vertex into values per vertex of the mesh; no values stay no values.
-/// `what` names them in errors.
-std::vector<double> valuesFromInput(const TriangleMesh& mesh, const char* what,
-                                    std::span<const double> values);
+/// Turns a density per input vertex into one per vertex of the mesh; none stays none.
+std::vector<double> densityFromInput(const TriangleMesh& mesh, Doubles density);
 
 /// Turns values per vertex of the mesh into values per input vertex, `otherwise` at isolated ones.
 std::vector<double> valuesAtInput(const TriangleMesh& mesh, std::span<const double> values,

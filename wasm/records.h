@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Results as JavaScript gets them, with the names that `src/results.ts` declares. Faces and points
-// are those of the input.
+// Results as JavaScript gets them, with the names that `src/api/results.ts` declares. Faces and
+// points are those of the input.
 #pragma once
 
 #include <Eigen/Core>

@@ -257,7 +257,11 @@ test('cvt with sites that stay, and with a density', () => {
 
   write('few.json', '[1, 1]');
   write('object.json', '{}');
-  fails(1, 'cvt shape.glb --sites 5 --density few.json', /2 densities for \d+ input vertices/);
+  fails(
+    1,
+    'cvt shape.glb --sites 5 --density few.json',
+    /the number of densities is 2, not that of input vertices, \d+/,
+  );
   fails(1, 'cvt shape.glb --sites 5 --density object.json', /object\.json holds no list/);
   write('beyond.json', '[9]');
   fails(1, 'cvt shape.glb --sites 5 --fixed-sites beyond.json', /site 9/);

@@ -146,7 +146,7 @@ test('leaving the loop, aborting and disposing end it', async () => {
 test('densities and fixed sites that do not fit are refused', async () => {
   const refused = (options, message) =>
     assert.rejects(collect(mesh.cvt(sites, options)), fails('invalid-argument', message));
-  await refused({ density: [1, 2] }, /2 densities/);
+  await refused({ density: [1, 2] }, /the number of densities is 2/);
   await refused({ fixedSites: [12] }, /site 12/);
 });
 
