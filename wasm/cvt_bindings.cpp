@@ -84,14 +84,6 @@ GVD_ABI Answer* advanceCvt(CvtHandle* cvt) {
   return guarded([&] { return answerOf(std::make_unique<CvtAdvancing>(*cvt)); });
 }
 
-/// `DiagramData` of the last iteration.
-GVD_ABI Answer* cvtDiagram(const CvtHandle* cvt) {
-  return guarded([&] {
-    return answerOf(
-        diagramRecording(cvt->surface.mesh, std::make_shared<const Diagram>(cvt->cvt->diagram())));
-  });
-}
-
 /// The diagram of the last iteration as an object.
 GVD_ABI VoronoiHandle* cvtVoronoi(const CvtHandle* handle) {
   return guarded([&] {

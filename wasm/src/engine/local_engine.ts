@@ -78,13 +78,13 @@ export class LocalEngine implements Engine {
     name: string,
     object: Handle,
     args: readonly Argument[],
-    { signal, onProgress }: TaskOptions,
+    task: TaskOptions,
   ): Promise<Result> {
     const stored = this.#objects.get(object);
     const result = (stored?.lastCall ?? Promise.resolve()).then(async () => {
-      signal?.throwIfAborted();
-      const answer = await this.#answerOf<Result>(name, object, args, { signal, onProgress });
-      onProgress?.(1);
+      task.signal?.throwIfAborted();
+      const answer = await this.#answerOf<Result>(name, object, args, task);
+      task.onProgress?.(1);
       return answer;
     });
     if (stored) stored.lastCall = settled(result);
@@ -196,18 +196,14 @@ export class LocalEngine implements Engine {
   async #answer<Result>(
     name: string,
     args: readonly Argument[],
-    { signal, onProgress }: TaskOptions,
-    requireOpen: () => unknown = () => {},
+    task: TaskOptions,
+    requireOpen: () => unknown = () => this.#open(),
   ): Promise<Result> {
     const core = this.#open();
     const answer = core.call(name, ...args);
-    const requireBoth = () => {
-      this.#open();
-      requireOpen();
-    };
     try {
-      await inSlices(core.working(answer, requireBoth), { signal, onProgress });
-      return await inSlices(core.copying<Result>(answer), { signal });
+      await inSlices(core.working(answer, requireOpen), task);
+      return await inSlices(core.copying<Result>(answer), { signal: task.signal });
     } finally {
       core.run('freeAnswer', answer);
     }
@@ -219,18 +215,25 @@ export class LocalEngine implements Engine {
     { metric, detail }: DiagramForm,
     task: TaskOptions,
   ): Promise<OpenedDiagram> {
-    const { signal, onProgress } = task;
-    signal?.throwIfAborted();
+    task.signal?.throwIfAborted();
     const mesh = this.#pointer(this.#meshOf(owner));
     const args = [mesh, face, bary, metric, detail];
     const { voronoi } = await this.#answer<{ voronoi: Pointer }>('createVoronoi', args, task);
-    const core = this.#open();
+    return this.#storeDiagram(voronoi, task);
+  }
+
+  /** Stores a diagram that is there, and gets its arrays. */
+  async #storeDiagram(
+    voronoi: Pointer,
+    { signal, onProgress }: TaskOptions,
+  ): Promise<OpenedDiagram> {
+    const handle = this.#store({ pointer: voronoi, free: 'freeVoronoi' });
     try {
-      const data = await this.#answer<DiagramData>('voronoiDiagram', [voronoi], { signal });
+      const data = await this.#answerOf<DiagramData>('voronoiDiagram', handle, [], { signal });
       onProgress?.(1); // may throw, which ends the task
-      return { handle: this.#store({ pointer: voronoi, free: 'freeVoronoi' }), data };
+      return { handle, data };
     } catch (error) {
-      core.run('freeVoronoi', voronoi);
+      this.close(handle);
       throw error;
     }
   }
@@ -261,11 +264,11 @@ export class LocalEngine implements Engine {
     );
     if (!hasState) return undefined;
     if (form === 'bare') return state;
-    const data = await this.#answerOf<DiagramData>('cvtDiagram', handle, [], { signal });
-    const withData = { ...state, data };
-    if (form === 'data') return withData;
-    const pointer = this.#open().call('cvtVoronoi', this.#pointer(handle));
-    return { ...withData, handle: this.#store({ pointer, free: 'freeVoronoi' }) };
+    const voronoi = this.#open().call('cvtVoronoi', this.#pointer(handle));
+    const diagram = await this.#storeDiagram(voronoi, { signal });
+    if (form === 'diagram') return { ...state, ...diagram };
+    this.close(diagram.handle);
+    return { ...state, data: diagram.data };
   }
 
   close(object: Handle): void {
@@ -287,14 +290,10 @@ export class LocalEngine implements Engine {
   }
 
   #pointer(object: Handle): Pointer {
-    return this.#stored(object).pointer;
-  }
-
-  #stored(object: Handle): StoredObject {
     this.#open(); // throws if the library has been disposed, and with it the object
     const stored = this.#objects.get(object);
     if (!stored) throw new GeodesicVoronoiError('disposed', 'the object has been disposed');
-    return stored;
+    return stored.pointer;
   }
 
   /** The mesh itself, or the mesh that a diagram is on. */
