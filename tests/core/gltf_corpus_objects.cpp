@@ -184,10 +184,11 @@ void addAccessorCases(GltfCases& cases) {
               "accessors[0].componentType is " + std::string(type) +
                   "; it must be a whole number from 5120 to 5126");
   }
-  cases.refused("positions without their buffer view: zeros",
-                "no triangle is left: of 1 triangles 0 have a corner that is not finite and 1 have "
-                "two corners at one position",
-                accessor(R"("componentType":5126,"count":3,"type":"VEC3")"));
+  cases.refused(
+      "positions without their buffer view: zeros",
+      "no triangle is left of 1: 0 with a corner that is not finite, 1 with two corners at "
+      "one position",
+      accessor(R"("componentType":5126,"count":3,"type":"VEC3")"));
   cases.opens("interleaved, from an offset", 1, [](GlbWriter& file) {
     const int view =
         file.addView(std::vector<float>{9, 9, /**/ 0, 0, 0, 9, /**/ 1, 0, 0, 9, /**/ 0, 1, 0},
@@ -325,7 +326,7 @@ void addPrimitiveCases(GltfCases& cases) {
     cases.refused(
         "vertex index " + std::to_string(index),
         "primitive 0 of mesh 0 has vertex index " + std::to_string(index) +
-            ", but there are 3 positions",
+            ", but the number of positions is 3",
         [&](GlbWriter& file) {
           file.addIndices<std::uint8_t>(kUnsignedByte, {0, 1, static_cast<std::uint8_t>(index)});
           primitives(GlbWriter::primitive(0, 1))(file);
@@ -361,7 +362,8 @@ void addPrimitiveCases(GltfCases& cases) {
                 "primitive 0 of mesh 0 names accessor 77, but the glTF has 3",
                 morphs(R"({"POSITION":77})", R"(,"weights":[1])"));
   cases.refused("morph target of fewer vertices",
-                "primitive 0 of mesh 0 has 1 elements of morph targets, but there are 3 positions",
+                "primitive 0 of mesh 0: the number of elements of morph targets is 1, not that of "
+                "positions, 3",
                 morphs(R"({"POSITION":2})", R"(,"weights":[1])"));
 }
 

@@ -91,8 +91,8 @@ void addSceneCases(GltfCases& cases) {
   transform(R"("rotation":[0,0,0])", "nodes[0].rotation has 3 elements; it must have 4");
   transform(R"("rotation":[0,0,0,0])", "node 0 has a rotation of zeros");
   const std::string none =
-      "no triangle is left: of 1 triangles 0 have a corner that is not finite and 1 have two "
-      "corners at one position";
+      "no triangle is left of 1: 0 with a corner that is not finite, 1 with two corners at one "
+      "position";
   transform(R"("scale":[0,0,0])", none);
   transform(R"("scale":[1e300,1e300,1],"translation":[1e300,0,0])",
             "the positions are too far apart to measure distances");
@@ -139,8 +139,8 @@ void addSurfaceCases(GltfCases& cases) {
     cases.opens("one vertex " + std::string(name), 1, surface(positions, {0, 1, 2, 0, 2, 3}));
     cases.refused(
         "all " + std::string(name),
-        "no triangle is left: of 1 triangles 1 have a corner that is not finite and 0 have "
-        "two corners at one position",
+        "no triangle is left of 1: 1 with a corner that is not finite, 0 with two corners at "
+        "one position",
         surface({bad, 0, 0, bad, 1, 0, 0, 0, bad}, {0, 1, 2}));
   }
   cases.opens(

@@ -221,7 +221,8 @@ TEST(ReadGltf, AppliesMorphTargetsWithTheirDefaultWeights) {
   file.accessors[2] = R"({"bufferView":2,"componentType":5126,"count":2,"type":"VEC3"})";
   file.meshes = {"{\"primitives\":[" + primitive + R"(],"weights":[0,1]})"};
   EXPECT_EQ(errorOf(file.glb()),
-            "primitive 0 of mesh 0 has 2 elements of morph targets, but there are 3 positions");
+            "primitive 0 of mesh 0: the number of elements of morph targets is 2, not that of "
+            "positions, 3");
 }
 
 TEST(ReadGltf, AppliesMorphTargetsToNormals) {

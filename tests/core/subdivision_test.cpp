@@ -183,7 +183,7 @@ TEST(Subdivision, RejectsWhatItCannotDo) {
                   subdivide(shape.positions, {0, 1, 9}, {.maxEdge = 0.1});
                 },
                 ErrorCode::kInvalidMesh),
-            "triangle 0 has vertex index 9, but there are 9 vertices");
+            "triangle 0 has vertex index 9, but the number of vertices is 9");
 }
 
 }  // namespace

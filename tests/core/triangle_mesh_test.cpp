@@ -304,15 +304,17 @@ TEST(TriangleMesh, RejectsWhatIsNoListOfTriangles) {
     return errorOf([&] { TriangleMesh(positions, triangles); }, ErrorCode::kInvalidMesh);
   };
   const std::vector<double> three = {0, 0, 0, 1, 0, 0, 0, 1, 0};
-  EXPECT_EQ(error({0, 0}, {}), "there are 2 coordinates, not a multiple of three");
-  EXPECT_EQ(error(three, {0, 1}), "there are 2 vertex indices, not a multiple of three");
+  EXPECT_EQ(error({0, 0}, {}), "the number of coordinates is 2, not a multiple of three");
+  EXPECT_EQ(error(three, {0, 1}), "the number of vertex indices is 2, not a multiple of three");
   EXPECT_EQ(error(three, {0, 1, 2, 0, 1, 3}),
-            "triangle 1 has vertex index 3, but there are 3 vertices");
-  EXPECT_EQ(error(three, {0, -1, 2}), "triangle 0 has vertex index -1, but there are 3 vertices");
+            "triangle 1 has vertex index 3, but the number of vertices is 3");
+  EXPECT_EQ(error(three, {0, -1, 2}),
+            "triangle 0 has vertex index -1, but the number of vertices is 3");
   EXPECT_EQ(error({}, {}), "there are no triangles");
-  EXPECT_EQ(error({0, 0, 0, 1, 0, 0, 0, kNan, 0}, {0, 1, 2, 0, 0, 1}),
-            "no triangle is left: of 2 triangles 1 have a corner that is not finite and 1 have two "
-            "corners at one position");
+  EXPECT_EQ(
+      error({0, 0, 0, 1, 0, 0, 0, kNan, 0}, {0, 1, 2, 0, 0, 1}),
+      "no triangle is left of 2: 1 with a corner that is not finite, 1 with two corners at one "
+      "position");
 }
 
 TEST(TriangleMesh, RejectsSizesThatProductsOverflowOrUnderflowAt) {

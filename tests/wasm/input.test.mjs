@@ -496,10 +496,16 @@ test('a broken OBJ, OFF, PLY or STL says in which line or at which byte', async 
     ['v 0 0 0\nf 1 2 0', /^line 2: '0' names no vertex/],
     ['v 0 0 0\nf 1 1 -2', /^line 2: '-2' names no vertex/],
     ['v 0 0 0\nf 1 1/2 1.5', /^line 2: '1\.5' names no vertex/],
-    ['v 0 0 0\n\n#\nf 1 1 4\nv 1 1 1', /^line 4: the face names vertex 4, but there are 2/],
+    [
+      'v 0 0 0\n\n#\nf 1 1 4\nv 1 1 1',
+      /^line 4: the face names vertex 4, but the number of vertices is 2/,
+    ],
     ['OFF\n3 1 0\n0 0 0\n1 0 0', /^line 4: the OFF is truncated: it ends after 2 of 3 vertices/],
     ['OFF\n3 1 0\n0 0 0\n1 0 0\n0 1\n', /^line 5: a number is missing after '0 1'/],
-    ['OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3', /^line 5: the face names vertex 3, but the last/],
+    [
+      'OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3',
+      /^line 5: the face names vertex 3 \(from 0\), but the number/,
+    ],
     ['OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1', /the OFF has no faces of three corners/],
     ['OFF\n3 x 0', /^line 2: 'x' is no number of vertices or faces/],
     ['OFF\n3', /^line 2: a number is missing after '3'/],
@@ -520,7 +526,7 @@ test('a broken OBJ, OFF, PLY or STL says in which line or at which byte', async 
     [ply(...vertices(3), ...faces(0), ...triangle), /the PLY has no faces/],
     [
       ply(...vertices(3), ...faces(1), ...triangle, '3 0 1 3'),
-      /^line 13: a face names vertex 3, but there are 3/,
+      /^line 13: a face names vertex 3 \(from 0\), but the number of vertices is 3/,
     ],
     [ply(...vertices(3), ...faces(1), ...triangle, '3 0 1 -1'), /^line 13: -1 is not a vertex/],
     [ply(...vertices(3), ...faces(2), ...triangle, '3 0 1 2'), /^line 13: the PLY is truncated/],
@@ -538,7 +544,7 @@ test('a broken OBJ, OFF, PLY or STL says in which line or at which byte', async 
     ['solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\n', /^line 4: the STL is truncated/],
     [
       'solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nendloop',
-      /^line 5: a triangle with 1 corners/,
+      /^line 5: a triangle with 1 corner ends here/,
     ],
     ['solid\nfacet\nvertex 0 0 0', /^line 3: this vertex is in no triangle/],
     ['solid\nfacet\nv 0 0 0', /^line 3: 'v 0 0 0' has no meaning/],

@@ -638,7 +638,7 @@ suite('attributes and events', () => {
       'scale is 0, not a number above 0.',
       'scale is -1, not a number above 0.',
       'scale is NaN, not a number above 0.',
-      'density has 2 values, and the model 9000 vertices.',
+      'density has the length 2, and the model 9000 vertices.',
       'density is NaN at vertex 0, not 0 or above.',
     ]);
   });

@@ -119,7 +119,7 @@ int validDetail(const DiagramOptions& options) {
 void requireLabels(std::span<const LabelledDistance> known, int siteCount) {
   if (known.empty() || known.back().label < siteCount) return;
   rejectArgument("there are distances of site " + std::to_string(known.back().label) +
-                 ", but only " + std::to_string(siteCount) + " sites");
+                 ", but the number of sites is " + std::to_string(siteCount));
 }
 
 /// The tracing of all of a diagram.

@@ -77,8 +77,8 @@ AttributeReading::AttributeReading(const Primitive& primitive, const char* seman
     : to_(to), first_(to.size()) {
   const auto addLayer = [&](int accessor, const Format& as, double weight) {
     if (const std::uint64_t count = accessors.at(accessor, name).count; count != vertexCount)
-      reject(name + " has " + std::to_string(count) + " elements of " + as.what +
-             ", but there are " + std::to_string(vertexCount) + " positions");
+      reject(name + ": the number of elements of " + as.what + " is " + std::to_string(count) +
+             ", not that of positions, " + std::to_string(vertexCount));
     std::vector<double>& values = layers_.empty() ? to_ : displacements_;
     layers_.push_back({accessors.start(accessor, as, name, values), weight});
   };
@@ -169,7 +169,7 @@ bool PrimitiveReading::forVertices(SlicedLoop& loop, long& budget, Visit visit) 
 void PrimitiveReading::requireVertex(double index) const {
   if (index < vertexCount_) return;
   reject(name_ + " has vertex index " + std::to_string(static_cast<std::uint64_t>(index)) +
-         ", but there are " + std::to_string(vertexCount_) + " positions");
+         ", but the number of positions is " + std::to_string(vertexCount_));
 }
 
 /// Adds a triangle, with two corners swapped if the transform mirrors, so that it is not turned

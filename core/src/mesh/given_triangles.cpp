@@ -11,7 +11,8 @@ namespace {
 
 void requireMultipleOfThree(std::size_t count, const std::string& what) {
   if (count % 3 != 0)
-    rejectMesh("there are " + std::to_string(count) + " " + what + ", not a multiple of three");
+    rejectMesh("the number of " + what + " is " + std::to_string(count) +
+               ", not a multiple of three");
   if (count > std::numeric_limits<int>::max()) rejectMesh("there are too many " + what);
 }
 
@@ -26,7 +27,7 @@ void requireVertices(std::span<const int> triangles, int triangle, int vertexCou
   for (const int v : triangles.subspan(3 * static_cast<std::size_t>(triangle), 3)) {
     if (v >= 0 && v < vertexCount) continue;
     rejectMesh("triangle " + std::to_string(triangle) + " has vertex index " + std::to_string(v) +
-               ", but there are " + std::to_string(vertexCount) + " vertices");
+               ", but the number of vertices is " + std::to_string(vertexCount));
   }
 }
 

@@ -83,13 +83,10 @@ void TriangleSelection::keep(int t) {
 
 void TriangleSelection::requireAny() const {
   if (!out_.input.empty()) return;
-  const int count = welded_.size();
-  rejectMesh(count == 0 ? "there are no triangles"
-                        : "no triangle is left: of " + std::to_string(count) + " triangles " +
-                              std::to_string(repairs_.nonFiniteTriangles) +
-                              " have a corner that is not finite and " +
-                              std::to_string(repairs_.degenerateTriangles) +
-                              " have two corners at one position");
+  if (welded_.size() == 0) rejectMesh("there are no triangles");
+  rejectMesh("no triangle is left of " + std::to_string(welded_.size()) + ": " +
+             std::to_string(repairs_.nonFiniteTriangles) + " with a corner that is not finite, " +
+             std::to_string(repairs_.degenerateTriangles) + " with two corners at one position");
 }
 
 }  // namespace gvd

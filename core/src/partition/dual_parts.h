@@ -73,8 +73,8 @@ auto fromRegions(const TriangleMesh& mesh, const Diagram& diagram, Make make) {
 inline std::vector<SurfacePoint> sitesOf(const TriangleMesh& mesh, const Diagram& diagram,
                                          std::span<const SurfacePoint> sites) {
   if (static_cast<int>(sites.size()) != diagram.siteCount)
-    rejectArgument("there are " + std::to_string(sites.size()) + " sites for a diagram of " +
-                   std::to_string(diagram.siteCount));
+    rejectArgument("the number of sites is " + std::to_string(sites.size()) +
+                   ", not that of the diagram, " + std::to_string(diagram.siteCount));
   return allOnMesh(mesh, sites, "site ");
 }
 

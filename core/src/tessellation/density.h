@@ -26,8 +26,8 @@ inline double mostDensity(const TriangleMesh& mesh) {
 inline void requireDensity(const TriangleMesh& mesh, std::span<const double> density) {
   const size_t vertices = mesh.vertexCount();
   if (density.size() != vertices)
-    rejectArgument("there are " + std::to_string(density.size()) + " densities for " +
-                   std::to_string(vertices) + " vertices");
+    rejectArgument("the number of densities is " + std::to_string(density.size()) +
+                   ", not that of vertices, " + std::to_string(vertices));
   const double most = mostDensity(mesh);
   for (size_t v = 0; v < vertices; ++v) {
     const bool isFinite = density[v] >= 0 && std::isfinite(density[v]);

@@ -4,7 +4,7 @@
 
 import { awake } from '../base/compile.js';
 import createDracoModule, { type DracoModule, type Pointer } from './draco_decoder.js';
-import { gltfFault, type JsonObject } from './gltf_document.js';
+import { damagedData, gltfFault, type JsonObject } from './gltf_document.js';
 
 /** A mesh that has been decompressed. */
 export interface DracoMesh {
@@ -36,14 +36,12 @@ export async function openDraco(
   packed: Uint8Array,
   where: string,
 ): Promise<DracoMesh> {
-  const damaged = (cause?: unknown) =>
-    gltfFault(`${where} cannot be decompressed: its data are damaged`, cause);
   /** Runs work that may trap on malformed data. */
   const guarded = <Result>(work: () => Result): Result => {
     try {
       return work();
     } catch (cause) {
-      throw damaged(cause);
+      throw damagedData(where, cause);
     }
   };
 

@@ -107,3 +107,7 @@ function chunksOf(bytes: Uint8Array): { text: Uint8Array; binary?: Uint8Array } 
 export function gltfFault(message: string, cause?: unknown): GeodesicVoronoiError {
   return new GeodesicVoronoiError('invalid-gltf', message, { cause });
 }
+
+export function damagedData(where: string, cause?: unknown): GeodesicVoronoiError {
+  return gltfFault(`${where} cannot be decompressed: its data are damaged`, cause);
+}

@@ -5,8 +5,9 @@
 // specification here.
 
 import { MeshoptDecoder } from 'meshoptimizer/decoder';
+import { counted } from '../base/sentences.js';
 import { type GltfData, whole } from './gltf_data.js';
-import { gltfFault, type JsonObject } from './gltf_document.js';
+import { damagedData, gltfFault, type JsonObject } from './gltf_document.js';
 
 const strides: Record<string, (stride: number) => boolean> = {
   ATTRIBUTES: (stride) => stride % 4 === 0 && stride >= 4 && stride <= 256,
@@ -47,19 +48,21 @@ export async function decodeMeshopt(
     );
   }
   if (mode === 'TRIANGLES' && count % 3 !== 0) {
-    throw gltfFault(`${where} has ${count} corners of triangles, which is no multiple of three`);
+    throw gltfFault(
+      `${where} has ${counted(count, 'corner')} of triangles, which is no multiple of three`,
+    );
   }
   data.reserve(count * stride);
   // The codec keeps at least one byte for so many, so a few bytes cannot ask for millions.
   if (count * stride > maxRatio * packed.length) {
-    throw gltfFault(`${where} cannot be decompressed: its data are damaged`);
+    throw damagedData(where);
   }
   const content = new Uint8Array(count * stride);
   await MeshoptDecoder.ready;
   try {
     MeshoptDecoder.decodeGltfBuffer(content, count, stride, packed, mode, filter);
   } catch (cause) {
-    throw gltfFault(`${where} cannot be decompressed: its data are damaged`, cause);
+    throw damagedData(where, cause);
   }
   return content;
 }

@@ -10,10 +10,7 @@ import type { ReadModel } from '../base/triangles.js';
 import { GrowingArray } from '../base/growing_array.js';
 import { requireVertices, type SizeLimits } from './limits.js';
 import { Polygons } from './polygons.js';
-import { lineFault, TextWords } from './text_words.js';
-
-/** Lines read between two places where the work can be interrupted. */
-const linesPerStep = 64;
+import { lineFault, linesPerStep, TextWords } from './text_words.js';
 
 export function* readObj(bytes: Uint8Array, limits: SizeLimits): SlicedWork<ReadModel> {
   const words = new TextWords(bytes, { hasComments: true });
@@ -65,7 +62,7 @@ class ObjReader {
     if (vertex >= this.#vertexCount) {
       throw lineFault(
         line,
-        `the face names vertex ${vertex + 1}, but there are ${this.#vertexCount}`,
+        `the face names vertex ${vertex + 1}, but the number of vertices is ${this.#vertexCount}`,
       );
     }
     const positions = yield* this.#positions.take();

@@ -9,10 +9,8 @@ import type { ReadModel } from '../base/triangles.js';
 import { GrowingArray } from '../base/growing_array.js';
 import { requireTriangles, requireVertices, type SizeLimits } from './limits.js';
 import { Polygons } from './polygons.js';
-import { TextWords } from './text_words.js';
+import { linesPerStep, TextWords } from './text_words.js';
 
-/** Lines read between two places where the work can be interrupted. */
-const linesPerStep = 64;
 /** No vertex or face takes fewer: `0 0 0` or `3 0 1 2`, with the line's end. */
 const leastVertexBytes = 6;
 const leastFaceBytes = 8;
@@ -70,7 +68,9 @@ function readHead(words: OffWords): { vertexCount: number; faceCount: number } {
 function vertexOf(words: OffWords, vertexCount: number): number {
   const vertex = words.countOf(words.next());
   if (vertex < vertexCount) return vertex;
-  throw words.fault(`the face names vertex ${vertex}, but the last one is ${vertexCount - 1}`);
+  throw words.fault(
+    `the face names vertex ${vertex} (from 0), but the number of vertices is ${vertexCount}`,
+  );
 }
 
 class OffWords extends TextWords {

@@ -120,7 +120,7 @@ class PlyReader {
     if (this.#highest.vertex >= vertexCount) {
       const { vertex, place } = this.#highest;
       throw invalidFile(
-        `${place}: a face names vertex ${vertex}, but there are ${vertexCount} (from 0)`,
+        `${place}: a face names vertex ${vertex} (from 0), but the number of vertices is ${vertexCount}`,
       );
     }
     const positions = yield* this.#positions.take();

@@ -10,11 +10,11 @@ import type { ReadModel } from '../base/triangles.js';
 import { GrowingArray } from '../base/growing_array.js';
 import { requireTriangles, requireVertices, type SizeLimits } from './limits.js';
 import { stlBytes, stlTriangleCount } from './stl_layout.js';
-import { TextWords } from './text_words.js';
+import { linesPerStep, TextWords } from './text_words.js';
 import { counted, integer } from '../base/sentences.js';
 
-/** Triangles or lines read between two places where the work can be interrupted. */
-const perStep = 64;
+/** Triangles that are read between two places where the work can be interrupted. */
+const trianglesPerStep = 64;
 
 export function* readBinaryStl(bytes: Uint8Array, limits: SizeLimits): SlicedWork<ReadModel> {
   const count = stlTriangleCount(bytes);
@@ -26,12 +26,12 @@ export function* readBinaryStl(bytes: Uint8Array, limits: SizeLimits): SlicedWor
   }
   requireTriangles(count, limits);
   requireVertices(3 * count, limits);
-  const view = viewOf(bytes);
+  const view = new DataView(bytes.buffer, bytes.byteOffset);
   const positions = new Float64Array(9 * count);
   for (let t = 0; t < count; ++t) {
     const corners = stlBytes(t) + 12; // after the normal
     for (let i = 0; i < 9; ++i) positions[9 * t + i] = view.getFloat32(corners + 4 * i, true);
-    if (t % perStep === 0) yield t / count;
+    if (t % trianglesPerStep === 0) yield t / count;
   }
   return yield* modelOf(positions);
 }
@@ -54,12 +54,12 @@ export function* readTextStl(bytes: Uint8Array, limits: SizeLimits): SlicedWork<
       requireVertices(positions.length / 3, limits);
     } else if (keyword === 'endloop') {
       if (corners !== 3)
-        throw words.fault(`a triangle with ${Math.max(0, corners)} corners ends here`);
+        throw words.fault(`a triangle with ${counted(Math.max(0, corners), 'corner')} ends here`);
       corners = -1;
     } else if (!['solid', 'facet', 'endfacet', 'endsolid', 'color'].includes(keyword)) {
       throw words.fault(`'${words.excerpt()}' has no meaning in an STL`);
     }
-    if (line % perStep === 0) yield words.share;
+    if (line % linesPerStep === 0) yield words.share;
   }
   if (corners >= 0) throw words.fault('the STL is truncated: it ends within a triangle');
   if (positions.length === 0) throw invalidFile('the STL has no triangles');
@@ -73,8 +73,4 @@ function* modelOf(positions: Float64Array): SlicedWork<ReadModel> {
     if (i % 2 ** 16 === 0) yield 1;
   }
   return { positions, indices, notes: [] };
-}
-
-function viewOf(bytes: Uint8Array): DataView {
-  return new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
 }

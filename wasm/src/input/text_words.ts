@@ -5,6 +5,8 @@
 
 import { type GeodesicVoronoiError, invalidFile } from '../api/errors.js';
 
+/** Lines that are read between two places where the work can be interrupted. */
+export const linesPerStep = 64;
 const blockBytes = 2 ** 16;
 /** No number or keyword is as long. */
 const maxWord = 2 ** 12;

@@ -52,7 +52,7 @@ export class DensityPaint {
     const count = this.#tints.length;
     if (density.length !== count)
       throw new RangeError(
-        `density has ${density.length} values, and the model ${count} vertices.`,
+        `density has the length ${density.length}, and the model ${count} vertices.`,
       );
     const wrong = Array.prototype.findIndex.call(density, (value) => !(value >= 0));
     if (wrong >= 0)
