@@ -204,6 +204,7 @@ test('sites from a PLY and a CSV of places', () => {
   for (const [content, message] of [
     ['1, 2, 3\n1, 2', /bad\.csv: line 2: z is missing\n$/],
     ['x,y,z\n1,2,three', /bad\.csv: line 2: z is 'three', not a number\n$/],
+    ['x,y,z\n1,2,0x10', /bad\.csv: line 2: z is '0x10', not a number\n$/],
     ['x,y\n1,2', /bad\.csv: line 1 is neither three numbers nor names with x, y and z: "x y"\n$/],
     [
       '0,0,nan',

@@ -6,6 +6,9 @@ import { show } from '../base/checks.js';
 
 const axes = ['x', 'y', 'z'];
 
+/** NaN for all but decimal numbers: `Number` reads 0x10, too. */
+const decimal = (word: string) => (/^[-+]?0[box]/i.test(word) ? NaN : Number(word));
+
 /**
  * The places in a CSV. Its first line tells whether semicolons, commas or blanks part the columns, and
  * may name them; without names, the first three are read. A column in quotes may have any of these in
@@ -21,7 +24,7 @@ export function readCsvPlaces(bytes: Uint8Array): number[] {
     const isFirst = !pattern;
     pattern ??= columnPattern(line);
     const words = wordsOf(line.trim(), pattern);
-    if (isFirst && words.slice(0, 3).some((word) => Number.isNaN(Number(word))))
+    if (isFirst && words.slice(0, 3).some((word) => Number.isNaN(decimal(word))))
       columns = columnsOf(words, i + 1);
     else places.push(...columns.map((column, k) => numberOf(words[column], i + 1, axes[k])));
   }
@@ -54,7 +57,7 @@ function columnsOf(names: readonly string[], line: number): number[] {
 }
 
 function numberOf(word: string | undefined, line: number, axis: string): number {
-  const value = Number(word || NaN);
+  const value = word ? decimal(word) : NaN;
   if (Number.isFinite(value)) return value;
   throw new Error(`line ${line}: ${axis} is ${word ? `'${word}', not a number` : 'missing'}`);
 }
