@@ -22,6 +22,11 @@ export async function buildDocs() {
       outputs: [`${output}/index.html`],
     },
     async () => {
+      const typedoc = [`${reference}/node_modules`, 'node_modules']
+        .map((modules) => at(modules, '.bin/typedoc'))
+        .find(exists);
+      if (!typedoc)
+        throw new Error('TypeDoc is not there, which makes the reference: npm ci installs it');
       rmSync(at(output), { recursive: true, force: true });
       const hasDoxygen = hasCommand('doxygen');
       if (!hasDoxygen) {
@@ -29,14 +34,13 @@ export async function buildDocs() {
       }
       const { writePages } = await make('pages');
       writePages(at(output), (target) => hasDoxygen || !target.includes('cpp'));
-      const typedoc = [at(reference, 'node_modules/.bin/typedoc'), at('node_modules/.bin/typedoc')];
       const options = [
         '--options',
         `${reference}/typedoc.json`,
         '--tsconfig',
         `${reference}/tsconfig.json`,
       ];
-      run(typedoc.find(exists), [...options, '--logLevel', 'Warn']);
+      run(typedoc, [...options, '--logLevel', 'Warn']);
       if (hasDoxygen) run('doxygen', [`${reference}/Doxyfile`]);
     },
   );
