@@ -18,7 +18,7 @@ import {
   type OptionSpec,
   type Values,
 } from './options.js';
-import { listed, UsageError } from './values.js';
+import { UsageError } from './values.js';
 
 /** Takes a command line apart. A text is what to print instead of doing anything. */
 export function parseCommandLine(args: string[], version: string): Invocation | string {
@@ -29,7 +29,7 @@ export function parseCommandLine(args: string[], version: string): Invocation | 
   if (command === 'help') return help(rest);
   if (command === '--version') return `${version}\n`;
   if (!isCommand(command))
-    throw new UsageError(`'${command}' is not one of ${listed(Object.keys(commands))}`);
+    throw new UsageError(`'${command}' is not one of ${Object.keys(commands).join(', ')}`);
 
   const { texts, positionals } = parseOptions(command, rest);
   if (texts.help) return commandHelp(command);
@@ -126,7 +126,7 @@ function advice(command: CommandName, name: string): string {
     .map(([taker]) => taker);
   return takers.includes(command)
     ? `the nearest is --${nearest}`
-    : `--${nearest} is an option of ${listed(takers)}`;
+    : `--${nearest} is an option of ${takers.join(', ')}`;
 }
 
 function parsedValue(name: OptionName, given: string | boolean | undefined): unknown {

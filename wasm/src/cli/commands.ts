@@ -246,7 +246,7 @@ async function dual({ mesh: path, values }: Request<'dual'>): Promise<void> {
     return;
   }
   for (const { message } of violations) process.stderr.write(`not valid: ${message}\n`);
-  process.stderr.write('note: --repair adds sites until it is valid\n');
+  writeNotes(['--repair adds sites until it is valid'], values);
 }
 
 /** One line about a dual that is not valid. */
@@ -292,19 +292,7 @@ async function remesh({ mesh: path, values }: Request<'remesh'>): Promise<void> 
 }
 
 /** The options of a tessellation, by those of the command line. */
-async function cvtSettings(
-  values: Pick<
-    Values<'cvt'>,
-    | 'method'
-    | 'metric'
-    | 'iterations'
-    | 'energy-tolerance'
-    | 'move-tolerance'
-    | 'density'
-    | 'fixed-sites'
-    | 'units'
-  >,
-): Promise<CvtOptions> {
+async function cvtSettings(values: Values<'cvt'>): Promise<CvtOptions> {
   const { method, metric, iterations, 'energy-tolerance': energyTolerance } = values;
   const moveTolerance = values['move-tolerance'] / values.units.scale;
   const numbers = (file?: string) => (file === undefined ? undefined : readNumbers(file));

@@ -2,24 +2,17 @@
 //
 // The diagram that the options ask for, and what standard error should say about it.
 
-import { mostMislabelled, type Metric } from '../api/results.js';
+import { mostMislabelled } from '../api/results.js';
 import { counted } from '../base/sentences.js';
 import type { Diagram, Mesh } from '../api/types.js';
 import type { Output } from './files.js';
-import {
-  type Notices,
-  openWithSites,
-  type Reading,
-  type SiteSource,
-  withProgress,
-  writeNotes,
-} from './sites.js';
+import { type Notices, openWithSites, type SiteValues, withProgress, writeNotes } from './sites.js';
 
 /** Opens a mesh and computes the diagram of the sites that the options ask for. */
 export async function openDiagram(
   path: string,
   output: Output,
-  values: Notices & Reading & SiteSource & { metric: Metric; detail?: number },
+  values: SiteValues & { detail?: number },
   options?: { addsSites: boolean },
 ): Promise<{ mesh: Mesh; diagram: Diagram }> {
   const { mesh, sites } = await openWithSites(path, output, values, options);

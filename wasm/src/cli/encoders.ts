@@ -39,7 +39,7 @@ import type {
 } from '../api/results.js';
 import type { Diagram, Mesh } from '../api/types.js';
 import { standard, type Values } from './options.js';
-import { listed, UsageError, type Lengths } from './values.js';
+import { UsageError, type Lengths } from './values.js';
 
 /** Where the result goes, and its format if the name of the file does not decide. */
 type Target = Pick<Values, 'output' | 'json'> & Partial<Pick<Values<'diagram'>, 'format'>>;
@@ -68,12 +68,12 @@ export function encoderOf<Result>(encoders: Encoders<Result>, target: Target): E
   throw target.format === undefined
     ? unknownEnding(target, known)
     : new UsageError(
-        `--format is '${target.format}', not one of ${listed(known.map((name) => name.slice(1)))}`,
+        `--format is '${target.format}', not one of ${known.map((name) => name.slice(1)).join(', ')}`,
       );
 }
 
 function unknownEnding({ output }: Target, known: string[]): UsageError {
-  return new UsageError(`the ending of '${output}' is not one of ${listed(known)}`);
+  return new UsageError(`the ending of '${output}' is not one of ${known.join(', ')}`);
 }
 
 /** Whether a report on meshes is JSON, and not text for people. */

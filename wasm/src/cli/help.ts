@@ -11,7 +11,7 @@ import {
   type OptionName,
   type OptionSpec,
 } from './options.js';
-import { listed, UsageError } from './values.js';
+import { UsageError } from './values.js';
 
 /** The width of the text, in columns. */
 const helpWidth = 100;
@@ -21,7 +21,7 @@ export function help([command, ...more]: string[]): string {
   if (command === undefined) return overview();
   if (!isCommand(command) || more.length > 0)
     throw new UsageError(
-      `help of '${[command, ...more].join(' ')}': there is one of ${listed(Object.keys(commands))}`,
+      `help of '${[command, ...more].join(' ')}': there is one of ${Object.keys(commands).join(', ')}`,
     );
   return commandHelp(command);
 }

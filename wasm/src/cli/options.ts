@@ -27,7 +27,6 @@ import { type GltfLimitName, gltfLimitNames } from '../api/options.js';
 import {
   assignments,
   choice,
-  listed,
   number,
   numberOrPath,
   path,
@@ -69,7 +68,7 @@ export const options = {
     value: 'METHOD',
     parse: choice<Sampling>(rules.sampling),
     optional: true,
-    help: `How to sample: ${listed(samplings)}; size, distortion: one site after the other, in the largest region or the most distorted one (default: random, with --radius farthest)`,
+    help: `How to sample: ${samplings.join(', ')}; size, distortion: one site after the other, in the largest region or the most distorted one (default: random, with --radius farthest)`,
   },
   'per-component': {
     value: 'N',
@@ -175,7 +174,7 @@ export const options = {
     value: 'UNIT|FACTOR',
     parse: lengths,
     default: '1',
-    help: `Unit of lengths in the output, of --radius and of --move-tolerance, for a model in metres, the unit of glTF: ${listed(units)}; or the factor to multiply the model's own with. Coordinates in files of points are the model's own`,
+    help: `Unit of lengths in the output, of --radius and of --move-tolerance, for a model in metres, the unit of glTF: ${units.join(', ')}; or the factor to multiply the model's own with. Coordinates in files of points are the model's own`,
   },
   'max-edge': {
     value: 'SHARE',
@@ -205,7 +204,7 @@ export const options = {
     value: 'NAME=N,…',
     parse: assignments<GltfLimitName>(oneOf(gltfLimitNames), limitRule),
     default: '',
-    help: `Higher limits on the demands of a file: ${listed(gltfLimitNames)}`,
+    help: `Higher limits on the demands of a file: ${gltfLimitNames.join(', ')}`,
   },
   output: {
     short: 'o',

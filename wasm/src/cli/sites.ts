@@ -14,16 +14,8 @@ import { type GivenPoints, readPoints } from './points.js';
 import { ProgressBar } from './progress.js';
 import type { Lengths } from './values.js';
 
-/** Where sites come from. */
-export type SiteSource = Pick<
-  Values<'diagram'>,
-  'sites' | 'radius' | 'sampling' | 'per-component' | 'seed' | 'units'
->;
-/** How a model is read. */
-export type Reading = Pick<
-  Values,
-  'limits' | 'max-edge' | 'weld' | 'orientation' | 'min-component'
->;
+/** The options that all commands with sites have; those of `info` all have. */
+export type SiteValues = Values<'distances'>;
 /** Points by triangles or vertices. */
 export type PointsOnSurface = SurfacePoints | { vertex: Int32Array };
 /** What may be written to standard error. */
@@ -33,7 +25,7 @@ export type Notices = Pick<Values<'diagram'>, 'quiet' | 'progress'>;
 export async function openMesh(
   path: string,
   output: Output,
-  values: Reading & Pick<Values<'info'>, 'units' | 'quiet'>,
+  values: Values<'info'>,
 ): Promise<Mesh> {
   const { files, file } = await readModel(path);
   const gvd = await load();
@@ -63,7 +55,7 @@ export function lengthsOf(mesh: Mesh, { units }: Pick<Values, 'units'>): Lengths
 export async function openWithSites(
   path: string,
   output: Output,
-  values: Notices & Reading & SiteSource,
+  values: SiteValues,
   { density, addsSites }: { density?: Density | undefined; addsSites?: boolean } = {},
 ): Promise<{ mesh: Mesh; sites: PointsOnSurface }> {
   const given = typeof values.sites === 'string' ? await readPoints(values.sites) : undefined;
@@ -114,7 +106,7 @@ async function closestOf(
 
 async function sampled(
   mesh: Mesh,
-  values: Notices & SiteSource,
+  values: SiteValues,
   wantedDensity: Density | undefined,
 ): Promise<PointsOnSurface> {
   const { sites, radius, sampling, seed, 'per-component': perComponent, units } = values;
@@ -124,10 +116,8 @@ async function sampled(
     mesh.sampleSites(wanted, { sampling, seed, perComponent, density, onProgress }),
   );
   const count = found.face.length;
-  if (typeof wanted === 'number' && count < wanted && !values.quiet)
-    process.stderr.write(
-      `note: ${integer(count)} of ${counted(wanted, 'site')}: every vertex has one\n`,
-    );
+  if (typeof wanted === 'number' && count < wanted)
+    writeNotes([`${integer(count)} of ${counted(wanted, 'site')}: every vertex has one`], values);
   return found;
 }
 

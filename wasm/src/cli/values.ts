@@ -10,10 +10,6 @@ export class UsageError extends Error {}
 /** The value that the text of an option stands for, or a UsageError that names the option. */
 export type Parser<Value> = (text: string, option: string) => Value;
 
-export function listed(names: readonly string[]): string {
-  return names.join(', ');
-}
-
 export const path: Parser<string> = (text) => text;
 
 /** What a text stands for, if the rule allows that. */
@@ -68,7 +64,7 @@ export const lengths: Parser<Lengths> = (text, option) => {
   const scale = Number(text);
   if (scale > 0 && Number.isFinite(scale)) return { scale };
   throw new UsageError(
-    `${option} is '${text}', neither a positive factor nor one of ${listed(units)}`,
+    `${option} is '${text}', neither a positive factor nor one of ${units.join(', ')}`,
   );
 };
 
