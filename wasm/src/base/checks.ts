@@ -86,26 +86,6 @@ export function isA<Kind extends keyof Kinds>(value: unknown, kind: Kind): value
   return Object.prototype.toString.call(value) === `[object ${kind}]`;
 }
 
-/** Colours as linear RGB; one that is left out is undefined. */
-export function toColours(
-  name: string,
-  colours: readonly (readonly number[] | undefined)[],
-): readonly (readonly number[] | undefined)[] {
-  if (!Array.isArray(colours)) throw invalidArgument(`${name} is ${show(colours)}, not a list`);
-  for (const [i, colour] of colours.entries()) {
-    const isColour =
-      Array.isArray(colour) &&
-      colour.length === 3 &&
-      colour.every((x) => typeof x === 'number' && x >= 0 && x <= 1);
-    if (!isColour && colour !== undefined) {
-      throw invalidArgument(
-        `${name}[${i}] is ${show(colour)}, not a list of three numbers from 0 to 1`,
-      );
-    }
-  }
-  return colours;
-}
-
 export function toFloat64(name: string, values: ArrayLike<number>): Float64Array<ArrayBuffer> {
   requireNumbers(name, values);
   return new Float64Array(values);

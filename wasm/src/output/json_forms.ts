@@ -3,7 +3,6 @@
 // What the JSON forms of several results have in common: points, and the unit of lengths.
 
 import { toResult } from '../base/checks.js';
-import type { JsonOptions } from './file_options.js';
 import type { PlacedPoints, SurfacePoints } from '../api/results.js';
 
 /** The JSON form of a list of points. */
@@ -22,7 +21,7 @@ export interface LengthsJson {
   unit?: string;
 }
 
-export function lengthsJson({ scale = 1, unit }: JsonOptions): LengthsJson {
+export function lengthsJson({ scale, unit }: LengthsJson): LengthsJson {
   return { scale, ...(unit !== undefined && { unit }) };
 }
 

@@ -3,10 +3,11 @@
 // A partition as a file.
 
 import { joinedVertices, partitionVertices, type TriangleRun } from './vertex_attributes.js';
-import { toColours, toResult } from '../base/checks.js';
-import { integers, oneOf, requireAllowed } from '../base/rules.js';
+import { show, toResult } from '../base/checks.js';
+import { integers, oneOf, requireAllowed, share } from '../base/rules.js';
 import {
   toFileOptions,
+  type AttributeSource,
   type FileOptions,
   type JsonOptions,
   type SurfaceFileOptions,
@@ -135,14 +136,22 @@ export function partitionGlb(
     colours: [],
   });
   requireAllowed('layout', layout, oneOf(partitionLayouts));
-  toColours('colours', form.colours);
+  requireColours(form.colours);
   if (partition.triangles.label.length === 0) return emptyGlb();
   return layout === 'regions' ? regionsGlb(partition, form) : featuresGlb(partition, form);
 }
 
+type RegionColours = NonNullable<PartitionColourOptions['colours']>;
+
+interface GlbForm {
+  mesh: AttributeSource | undefined;
+  scale: number;
+  colours: RegionColours;
+}
+
 function regionsGlb(
   partition: Partition,
-  { mesh, scale = 1, colours = [] }: PartitionGlbOptions,
+  { mesh, scale, colours }: GlbForm,
 ): Uint8Array<ArrayBuffer> {
   const file = new GlbBuilder(partition.points.position, scale);
   const runs = partsOf(partition);
@@ -174,7 +183,7 @@ function regionsGlb(
 
 function featuresGlb(
   partition: Partition,
-  { mesh, scale = 1, colours: regionColours = [] }: PartitionGlbOptions,
+  { mesh, scale, colours: regionColours }: GlbForm,
 ): Uint8Array<ArrayBuffer> {
   const siteCount = partition.regions.area.length;
   const file = new GlbBuilder(partition.points.position, scale);
@@ -245,7 +254,7 @@ export function partitionPly(
 ): Uint8Array<ArrayBuffer> {
   toPartition(partition);
   const { mesh, scale, colours } = toFileOptions(options, { mesh: undefined, colours: [] });
-  toColours('colours', colours);
+  requireColours(colours);
   const { label } = partition.triangles;
   const rgb = new Uint8Array(3 * label.length);
   for (const { label: region, first, last } of partsOf(partition)) {
@@ -327,6 +336,17 @@ function material(name: string, baseColorFactor: number[]): object {
     pbrMetallicRoughness: { baseColorFactor, metallicFactor: 0, roughnessFactor: 0.8 },
     doubleSided: true,
   };
+}
+
+function requireColours(colours: RegionColours): void {
+  if (!Array.isArray(colours)) throw invalidArgument(`colours is ${show(colours)}, not a list`);
+  for (const [i, colour] of colours.entries()) {
+    if (colour === undefined) continue;
+    if (!Array.isArray(colour) || colour.length !== 3 || !colour.every(share.allows))
+      throw invalidArgument(
+        `colours[${i}] is ${show(colour)}, not a list of three numbers from 0 to 1`,
+      );
+  }
 }
 
 function toPartition(partition: Partition): Partition {
