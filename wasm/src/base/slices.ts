@@ -5,7 +5,7 @@
 
 import type { TaskOptions } from '../api/options.js';
 
-/** How long a slice of work may keep its thread from anything else. */
+/** How long a slice of work may keep its thread from anything else: less than one of 60 frames per second. */
 const sliceMilliseconds = 12;
 
 /** Work that can be interrupted: it yields the share done, 0 … 1, wherever it may pause. */

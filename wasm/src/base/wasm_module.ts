@@ -12,9 +12,7 @@ import type { SlicedWork } from './slices.js';
 export type Argument = number | boolean | Memory;
 type Memory = string | Int32Array | Float64Array | Uint8Array | readonly Memory[];
 
-/**
- * The functions that every module of ours exports, see `abi.cpp`; all others are called by name.
- */
+/** The functions of `abi.cpp` that are called here without a check of their parameters. */
 interface Exports {
   memory: WebAssembly.Memory;
   _initialize(): void;

@@ -26,7 +26,7 @@ export async function readGltf(
   module: WebAssembly.Module,
   { bytes, resources }: GltfFile,
   limits: GltfLimits,
-  { signal, onProgress }: TaskOptions,
+  task: TaskOptions,
 ): Promise<GltfScene> {
   const wasm = await WasmModule.instantiate(module);
   const reading = wasm.call(
@@ -37,10 +37,10 @@ export async function readGltf(
     Object.keys(limits),
     Float64Array.from(Object.values(limits)),
   );
-  await inSlices(wasm.working(reading), { signal, onProgress });
-  const { partNumbers, partNames, ...scene } = await inSlices(wasm.copying<GltfArrays>(reading), {
-    signal,
-  });
+  await inSlices(wasm.working(reading), task);
+  const { signal } = task;
+  const arrays = await inSlices(wasm.copying<GltfArrays>(reading), { signal });
+  const { partNumbers, partNames, ...scene } = arrays;
   const parts = partNames.map((name, i) => {
     const [node, mesh, primitive, firstTriangle, triangleCount] = partNumbers.subarray(5 * i);
     return { name, node, mesh, primitive, firstTriangle, triangleCount };

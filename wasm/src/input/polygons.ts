@@ -20,9 +20,9 @@ export class Polygons {
   readonly #corners: GrowingArray<Int32Array>;
   /** Polygons of more than three corners: the index of the first in `#corners`, and the number. */
   readonly #larger = new GrowingArray(Int32Array);
+  /** Where the corners of the next polygon begin. */
   #start = 0;
   #count = 0;
-  #triangles = 0;
   #passedOver = 0;
 
   /** Exactly the `expected` number of triangles takes the least memory. */
@@ -48,9 +48,13 @@ export class Polygons {
       this.#larger.push(size);
     }
     ++this.#count;
-    this.#triangles += size - 2;
-    requireTriangles(this.#triangles, this.#limits);
     this.#start += size;
+    requireTriangles(this.#triangles, this.#limits);
+  }
+
+  /** Every polygon has two fewer of them than corners. */
+  get #triangles(): number {
+    return this.#start - 2 * this.#count;
   }
 
   /** Counts a line or a point: a polygon of fewer corners, or what the file calls so. */

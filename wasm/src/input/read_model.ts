@@ -36,7 +36,7 @@ export interface FileInput {
   file?: string;
 }
 
-export interface Model {
+interface Model {
   triangles: Triangles;
   origin: MeshOrigin;
   parts: MeshPart[];
