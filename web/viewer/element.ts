@@ -122,7 +122,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
 
   /** Opens the model at an address. Resolves to whether it succeeded; if not, `error` says why. */
   load(address: string): Promise<boolean> {
-    return this.#open((signal, onProgress) => fetchModelFiles(address, { signal, onProgress }));
+    return this.#open((task) => fetchModelFiles(address, task));
   }
 
   /**

@@ -32,7 +32,10 @@ export function firstAtPlace(positions: Float32Array): Int32Array {
   return place;
 }
 
-/** The corners of triangles by the place (see `firstAtPlace`) of their vertex. Those at place p are `corners[offset[p]] … corners[offset[p + 1] - 1]`. */
+/**
+ * The corners of triangles by the place (see `firstAtPlace`) of their vertex. Those at place p are
+ * `corners[offset[p]] … corners[offset[p + 1] - 1]`.
+ */
 export function cornersByPlace(indices: Int32Array, place: Int32Array) {
   const offset = new Int32Array(place.length + 1);
   for (const v of indices) ++offset[place[v] + 1];

@@ -94,13 +94,16 @@ export class FatLines {
     return this.#segments.count;
   }
 
-  /** Sets x, y, z of both ends of every segment, and two keys each if some are replaced later. */
-  set(ends: Float32Array, keys: Keys = new Int32Array(ends.length / 3)): void {
-    this.#segments.set(keys, [ends]);
+  /** Sets x, y, z of both ends of every segment. */
+  set(ends: Float32Array): void {
+    this.#segments.set(new Int32Array(ends.length / 3), [ends]);
     this.#adopt();
   }
 
-  /** Like `set`, but takes over the arrays, which may have room for more segments than keys. */
+  /**
+   * Like `set`, but with two keys per segment, by which some can be replaced later. Takes over the arrays;
+   * there may be room for more segments than keys.
+   */
   adopt(ends: Float32Array, keys: Keys): void {
     this.#segments.adopt(keys, [new InstancedInterleavedBuffer(ends, 6)], ends.length / 6);
     this.#adopt();

@@ -15,13 +15,8 @@ import {
 import { RecordBuffer, wholeScene } from './record_buffer.js';
 import type { Theme } from './theme.js';
 
-export interface MarkerStyle {
-  /** The least radius, in CSS pixels; less where regions are small on the screen. */
-  least: number;
-  most: number;
-  /** The rim's share of the radius. */
-  rim: number;
-}
+/** The rim's share of the radius. */
+const rimShare = 0.3;
 
 /** How many times its own radius the least radius may be, for a marker of the usual radius. */
 const crowding = 2.2;
@@ -76,7 +71,6 @@ const fragmentShader = /* glsl */ `
   uniform vec3 fill;
   uniform vec3 edge;
   uniform vec3 emphasis;
-  uniform float rim;
   varying vec2 vCorner;
   varying float vPixels;
   varying float vEmphasised;
@@ -87,7 +81,7 @@ const fragmentShader = /* glsl */ `
     float pixel = max(fwidth(distance), 1e-4);
     float opacity = vPixels > 0.0 ? clamp((vPixels - distance) / pixel + 0.5, 0.0, 1.0) : 0.0;
     if (opacity <= 0.0) discard;
-    float inner = vPixels * (1.0 - rim);
+    float inner = vPixels * (1.0 - ${rimShare});
     float core = clamp((inner - distance) / pixel + 0.5, 0.0, 1.0);
     gl_FragColor = vec4(mix(edge, mix(fill, emphasis, vEmphasised), core), opacity);
     #include <colorspace_fragment>
@@ -104,7 +98,8 @@ export class Markers {
     new InstancedBufferAttribute(new Float32Array(n), 1),
   ]);
 
-  constructor({ least, most, rim }: MarkerStyle) {
+  /** Takes the least radius, less where regions are small on the screen, and the greatest, in CSS pixels. */
+  constructor({ least, most }: { least: number; most: number }) {
     const material = new ShaderMaterial({
       vertexShader,
       fragmentShader,
@@ -116,7 +111,6 @@ export class Markers {
         most: { value: most },
         usual: { value: 1 },
         front: { value: 0 },
-        rim: { value: rim },
         fill: { value: new Color() },
         edge: { value: new Color() },
         emphasis: { value: new Color() },

@@ -93,7 +93,7 @@ export class ModelDrawing {
     this.#surface = new RegionSurface(mesh, this.#occlusion);
     this.sites = new SiteDrawing(mesh);
     this.outline = new OutlineDrawing(mesh);
-    this.#voronoiPoints = new VoronoiPointMarkers(mesh, { least: 1.5, most: 4.5, rim: 0.3 });
+    this.#voronoiPoints = new VoronoiPointMarkers(mesh);
     this.exploded = new ExplodedView(this.#whole, this.#occlusion);
     this.theme = this.#theme;
     this.object.add(this.#whole, this.exploded.object);

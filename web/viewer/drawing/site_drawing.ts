@@ -15,7 +15,7 @@ const markerShare = 0.14;
 
 export class SiteDrawing {
   readonly #mesh: SceneMesh;
-  readonly #markers = new Markers({ least: 2.5, most: 9, rim: 0.3 });
+  readonly #markers = new Markers({ least: 2.5, most: 9 });
   #places = new Float32Array();
   #normals = new Float32Array();
   /** The places at which the markers are seen. */
@@ -43,7 +43,7 @@ export class SiteDrawing {
   }
 
   /** Sets the sites; their markers glide there in so many milliseconds. */
-  set(sites: Sites, selected: number, milliseconds = 0): void {
+  set(sites: Sites, selected: number, milliseconds: number): void {
     this.#places = new Float32Array(3 * sites.length);
     this.#normals = new Float32Array(3 * sites.length);
     sites.forEach(({ face, bary }, i) => {

@@ -4,7 +4,7 @@
 
 import type { DiagramData } from 'geodesic-voronoi';
 import { labelsAround } from '../buffers/diagram_summary.js';
-import { Markers, type MarkerStyle } from './markers.js';
+import { Markers } from './markers.js';
 import type { SceneMesh } from '../buffers/scene_mesh.js';
 
 type Points = Pick<DiagramData, 'points' | 'voronoiPoints'>;
@@ -13,7 +13,7 @@ type Points = Pick<DiagramData, 'points' | 'voronoiPoints'>;
 const width = 6;
 
 export class VoronoiPointMarkers {
-  readonly markers: Markers;
+  readonly markers = new Markers({ least: 1.5, most: 4.5 });
   readonly #mesh: SceneMesh;
   /** The points of a whole diagram, until they are first needed. */
   #pending: Points | undefined;
@@ -23,9 +23,8 @@ export class VoronoiPointMarkers {
   #size = 0;
   #isDrawn = true;
 
-  constructor(mesh: SceneMesh, style: MarkerStyle) {
+  constructor(mesh: SceneMesh) {
     this.#mesh = mesh;
-    this.markers = new Markers(style);
   }
 
   set visible(visible: boolean) {

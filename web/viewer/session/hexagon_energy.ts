@@ -5,15 +5,15 @@
 import type { DiagramData, Mesh } from 'geodesic-voronoi';
 
 /**
- * Σ ∫ ρ d² for as many regular hexagons in the plane as there are sites: 5/(18√3) · (∫ √ρ)²/k.
+ * Σ ∫ ρ d² for as many regular hexagons in the plane as there are sites: 5/(18√3) · (∫ √ρ)²/k. Without
+ * `rootIntegral`, which is ∫ √ρ, ρ is 1.
  * Exact for uniform density, otherwise the limit for many sites (Gersho 1979).
  */
 export function hexagonEnergy(
   { siteCount, regionArea }: Pick<DiagramData, 'siteCount' | 'regionArea'>,
-  weight?: number,
+  rootIntegral: number = regionArea.reduce((sum, area) => sum + area, 0),
 ): number {
-  const area = weight ?? regionArea.reduce((sum, each) => sum + each, 0);
-  return (5 / (18 * Math.sqrt(3))) * (area ** 2 / siteCount);
+  return (5 / (18 * Math.sqrt(3))) * (rootIntegral ** 2 / siteCount);
 }
 
 /** ∫ √ρ over a mesh, taking √ρ to be linear on a face. */

@@ -11,7 +11,7 @@ import type {
 } from 'geodesic-voronoi';
 import { DrawingBuilder } from '../buffers/drawing_builder.js';
 import { sentence } from './failure.js';
-import { lastSegment, type NamedFiles } from './model_files.js';
+import { lastSegment, type NamedFiles, type Task } from './model_files.js';
 import { SceneMesh } from '../buffers/scene_mesh.js';
 import { shallowEqual } from './shallow_equal.js';
 import { type PointList, type Sites, surfacePointsOf, type Tints } from './site_history.js';
@@ -38,10 +38,7 @@ interface Kept {
 }
 
 /** Reads a model's files. */
-export type Reader = (
-  signal: AbortSignal,
-  onProgress: (share: number) => void,
-) => Promise<NamedFiles>;
+export type Reader = (task: Task) => Promise<NamedFiles>;
 
 export interface OpenedMesh {
   mesh: Mesh;
@@ -64,7 +61,7 @@ export async function openMesh(
   library: GeodesicVoronoi,
   read: Reader,
   { build, siteSampling, kept }: Opening,
-  { signal, onProgress }: { signal: AbortSignal; onProgress: (share: number) => void },
+  { signal, onProgress }: Task,
 ): Promise<OpenedMesh> {
   // The builder's worker starts while the files are read.
   const builder = new DrawingBuilder();
@@ -72,7 +69,7 @@ export async function openMesh(
   try {
     const between = (from: number, to: number) => (share: number) =>
       onProgress(from + (to - from) * share);
-    const files = await read(signal, between(0, readShare));
+    const files = await read({ signal, onProgress: between(0, readShare) });
     const building = { signal, onProgress: between(readShare, meshShare) };
     const options = { ...build, file: files.file, ...building };
     mesh = await library.mesh(files.files, options).catch((error) => {

@@ -14,6 +14,12 @@ export interface NamedFiles {
   fetchBeside?: (uri: string) => Promise<Uint8Array>;
 }
 
+/** How work is ended, and what is told the share that is done. */
+export interface Task {
+  signal: AbortSignal;
+  onProgress: (share: number) => void;
+}
+
 /** Files that were chosen: those of a folder have a path. They are read if the model needs them. */
 export function chosenFiles(files: Iterable<File>): ModelFiles {
   return byPath([...files].map((file) => [file.webkitRelativePath || file.name, file]));
@@ -53,17 +59,16 @@ function request(signal: AbortSignal, url: URL): Promise<Response> {
 /** The model at an address (a path after a # chooses one in a zip), fetching files it refers to. */
 export async function fetchModelFiles(
   address: string,
-  { signal, onProgress }: { signal: AbortSignal; onProgress: (share: number) => void },
+  { signal, onProgress }: Task,
 ): Promise<NamedFiles> {
   const url = urlOf(address);
   const name = nameOf(url);
   const bytes = await fetchBytes(url, signal, onProgress);
   const files: ModelFiles = { [name]: bytes };
   for (const uri of gltfResourceUris(bytes)) {
-    files[uri] = await fetchBytes(new URL(uri, url), signal, () => {});
+    files[uri] = await fetchBytes(new URL(uri, url), signal);
   }
-  const fetchBeside = (uri: string) =>
-    fetchBytes(new URL(uri, url), new AbortController().signal, () => {});
+  const fetchBeside = (uri: string) => fetchBytes(new URL(uri, url), new AbortController().signal);
   return { name, files, file: url.hash ? decoded(url.hash.slice(1)) : undefined, fetchBeside };
 }
 
@@ -109,7 +114,7 @@ async function filesIn(entry: FileSystemEntry | null): Promise<[string, File][]>
 async function fetchBytes(
   url: URL,
   signal: AbortSignal,
-  onProgress: (share: number) => void,
+  onProgress?: Task['onProgress'],
 ): Promise<Uint8Array> {
   const name = nameOf(url);
   let response: Response;
@@ -135,7 +140,7 @@ async function fetchBytes(
 async function bytesOf(
   response: Response,
   signal: AbortSignal,
-  onProgress: (share: number) => void,
+  onProgress?: Task['onProgress'],
 ): Promise<Uint8Array> {
   if (!response.body) return new Uint8Array(await response.arrayBuffer());
 
@@ -150,7 +155,7 @@ async function bytesOf(
     signal.throwIfAborted();
     chunks.push(part.value);
     received += part.value.length;
-    if (length > 0) onProgress(Math.min(1, received / length));
+    if (length > 0) onProgress?.(Math.min(1, received / length));
   }
   const bytes = new Uint8Array(received);
   let offset = 0;

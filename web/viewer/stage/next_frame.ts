@@ -2,8 +2,9 @@
 //
 // Waiting for the page to draw.
 
-/** In milliseconds. */
+/** In milliseconds, after which work goes on although the page has drawn nothing. */
 const longestFrame = 100;
+/** In milliseconds: with the drawing after it, a slice fits into one of 60 frames per second. */
 const longestSlice = 12;
 
 /**

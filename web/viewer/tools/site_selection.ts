@@ -10,7 +10,7 @@ import type { Stage } from '../stage/stage.js';
 import type { SurfaceTools } from './surface_tools.js';
 
 /** The object whose sites are selected. */
-export interface SelectionOwner {
+interface SelectionOwner {
   readonly stage: Stage;
   readonly session: Session;
   readonly model: OpenModel | undefined;
