@@ -25,13 +25,13 @@ export function toOptions<Options extends object, const Defaults extends Default
   if (options === null || !isObject(given) || Array.isArray(given))
     throw invalidArgument(`options is ${show(options)}, not an object`);
   const known = Object.keys(defaults);
-  const stranger = Object.keys(given)
+  const unknownName = Object.keys(given)
     .find((name) => !known.includes(name))
     ?.slice(0, 40);
-  if (stranger !== undefined) {
-    const nearest = nearestName(stranger, known);
+  if (unknownName !== undefined) {
+    const nearest = nearestName(unknownName, known);
     throw invalidArgument(
-      `there is no option ${show(stranger)} here: ` +
+      `there is no option ${show(unknownName)} here: ` +
         (nearest === undefined
           ? `there ${known.length === 1 ? 'is only' : 'are'} ${known.join(', ')}`
           : `the nearest is ${show(nearest)}`),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the command and the page say in the same words.
+// Counts for people, and what the command and the page say of a mesh in the same words.
 
 import { toResult } from './checks.js';
 import type { MeshRepairs } from '../api/results.js';

@@ -183,10 +183,10 @@ function toTriangles(source: MeshArrays): Triangles {
 /** Indices by another name would be missed in silence, and every three vertices be a triangle. */
 function requireNoOtherIndices(source: MeshArrays): void {
   const known = ['positions', 'indices', 'normals', 'uvs', 'density'];
-  const stranger = Object.keys(source).find((name) => !known.includes(name));
-  if (stranger === undefined) return;
+  const unknownName = Object.keys(source).find((name) => !known.includes(name));
+  if (unknownName === undefined) return;
   throw invalidArgument(
-    `positions come with ${show(stranger)}, but without indices: the fields are ${known.join(', ')}`,
+    `positions come with ${show(unknownName)}, but without indices: the fields are ${known.join(', ')}`,
   );
 }
 

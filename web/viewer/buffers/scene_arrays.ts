@@ -29,11 +29,11 @@ export function sceneArrays({
 }: Pick<Mesh, 'positions' | 'indices'>): SceneArrays {
   const frame = ModelFrame.around(positions, indices);
   const scene = frame.toScene(positions);
-  const isPlaced = scene.every(Number.isFinite);
+  const isAllFinite = scene.every(Number.isFinite);
   // Vertices without finite coordinates belong to no face of the surface, but three.js would
   // measure them.
-  const placed = isPlaced ? scene : scene.map((x) => (Number.isFinite(x) ? x : 0));
-  const faces = isPlaced ? indices : withoutNowhere(indices, scene);
+  const placed = isAllFinite ? scene : scene.map((x) => (Number.isFinite(x) ? x : 0));
+  const faces = isAllFinite ? indices : collapsedWhereNotFinite(indices, scene);
   return {
     centre: frame.centre,
     scale: frame.scale,
@@ -56,11 +56,11 @@ function cornerPositions(positions: Float32Array, indices: Int32Array): Float32A
 }
 
 /** Faces with a corner without finite coordinates are collapsed to a point. */
-function withoutNowhere(indices: Int32Array, scene: Float32Array): Int32Array {
-  const isSomewhere = (vertex: number) =>
+function collapsedWhereNotFinite(indices: Int32Array, scene: Float32Array): Int32Array {
+  const hasFinitePlace = (vertex: number) =>
     scene.subarray(3 * vertex, 3 * vertex + 3).every(Number.isFinite);
   return indices.map((vertex, i) => {
     const face = indices.subarray(i - (i % 3), i - (i % 3) + 3);
-    return face.every(isSomewhere) ? vertex : face[0];
+    return face.every(hasFinitePlace) ? vertex : face[0];
   });
 }

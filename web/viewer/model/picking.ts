@@ -28,8 +28,8 @@ export interface SurfaceHit {
   place: Vector3;
 }
 
-/** How far off the surface a point may be that it does not hide, in radii of the model. */
-const almost = 0.01;
+/** A point is hidden where the surface is nearer than it by more than this, in radii of the model. */
+const hidingDistance = 0.01;
 
 /**
  * Finds the surface under a place of the view. Until there is a search tree, which the first
@@ -78,7 +78,7 @@ export class Picker {
     const distance = ray.origin.distanceTo(point);
     ray.lookAt(point);
     const hit = this.#firstHit(ray);
-    return hit !== undefined && hit.distance < distance - almost;
+    return hit !== undefined && hit.distance < distance - hidingDistance;
   }
 
   async #prepare(tree: Promise<BuiltTree | undefined>): Promise<void> {
