@@ -592,7 +592,7 @@ suite('attributes and events', () => {
     });
     assert.deepEqual(refusals, [
       ...Array(6).fill(
-        'a place is { face, bary }, with the index of a triangle and three coordinates',
+        'A place is { face, bary }, with the index of a triangle and three coordinates.',
       ),
       'There is no site 12: the number of sites is 12.',
       'There is no site -1: the number of sites is 12.',

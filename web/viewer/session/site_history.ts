@@ -32,7 +32,7 @@ function checked(place: SitePlace): SitePlace {
   const { face, bary } = place ?? {};
   if (Number.isInteger(face) && bary?.length === 3) return { face, bary };
   throw new TypeError(
-    'a place is { face, bary }, with the index of a triangle and three coordinates',
+    'A place is { face, bary }, with the index of a triangle and three coordinates.',
   );
 }
 
@@ -92,7 +92,7 @@ export class SiteHistory {
   createAll(points: PointList): Sites {
     if (!points?.face || points.bary?.length !== 3 * points.face.length)
       throw new TypeError(
-        'sites are { face, bary }, three coordinates each; mesh.readPoints makes them of other forms',
+        'Sites are { face, bary }, three coordinates each; mesh.readPoints makes them of other forms.',
       );
     return Array.from(points.face, (_, i) => this.create(placeOf(points, i)));
   }
