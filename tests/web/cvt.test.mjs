@@ -138,6 +138,37 @@ suite('the centroidal tessellation', () => {
     assert.ok(titleBottom < curveTop, `${titleBottom}, ${curveTop}`);
   });
 
+  test('the numbers beside the curve are apart, wherever it begins and ends', async () => {
+    const overlapping = await viewer.evaluate((viewer) => {
+      const tell = (iteration, relativeEnergy) =>
+        viewer.dispatchEvent(
+          new CustomEvent('cvt-iteration', {
+            detail: { iteration, relativeEnergy, energy: 1, largestMove: 1 },
+          }),
+        );
+      const cases = [];
+      for (const first of [0.9, 1, 1.05, 1.3, 2, 3, 4, 5, 6, 7, 8, 9, 12, 70, 400, 12_345]) {
+        for (const last of [0.8, 1, 1.03]) {
+          tell(0, first);
+          if (last < first) tell(1, last);
+          const texts = [...document.querySelectorAll('#cvt-curve text[text-anchor=end]')];
+          const rows = texts
+            .filter((text) => !/iterations/.test(text.textContent))
+            .map((text) => ({ content: text.textContent, y: Number(text.getAttribute('y')) }))
+            .sort((a, b) => a.y - b.y);
+          const size = parseFloat(getComputedStyle(texts[0]).fontSize);
+          const areApart = rows.every(({ y }, i) => i === 0 || y - rows[i - 1].y > size);
+          const isWithin = texts.every((text) => text.getBBox().x >= 0) && rows[0].y > 0;
+          const numbers = rows.map(({ content }) => content);
+          if (!areApart || !isWithin || !numbers.includes('1'))
+            cases.push({ first, last, numbers });
+        }
+      }
+      return cases;
+    });
+    assert.deepEqual(overlapping, []);
+  });
+
   test('regions become small where density is painted', async () => {
     const place = await viewer.freePlace();
     const picture = await viewer.picture();

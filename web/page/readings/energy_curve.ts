@@ -10,7 +10,13 @@ const svg = 'http://www.w3.org/2000/svg';
 /** In units of the drawing, which is as wide as the panel. */
 const width = 284;
 const height = 104;
-const plot = { left: 38, right: width - 6, top: 20, bottom: height - 20 };
+const plot = { left: 42, right: width - 6, top: 20, bottom: height - 20 };
+
+/** The least distance of two numbers on the axis of energies: about the height of their text. */
+const tickDistance = 12;
+
+/** Round numbers for that axis, by their importance. */
+const roundNumbers = [10, 100, 1000, 2, 5, 1.5, 3, 1.2];
 
 /** The least width of the axis, in iterations: with fewer, the line would be too steep to read. */
 const fewestIterations = 10;
@@ -42,7 +48,8 @@ export class EnergyCurve {
     this.#drawing.setAttribute('aria-label', descriptionOf(energies));
     const lastIteration = Math.max(last, fewestIterations);
     const lowest = Math.min(1, ...energies.slice(-1));
-    const highest = energies[0] > lowest ? energies[0] : lowest + 1;
+    const greatest = Math.max(1, ...energies.slice(0, 1));
+    const highest = greatest > lowest ? greatest : lowest + 1;
     const x = (i: number) => plot.left + ((plot.right - plot.left) * i) / lastIteration;
     const scale = (plot.top - plot.bottom) / Math.log(highest / lowest);
     const y = (energy: number) => plot.bottom + scale * Math.log(energy / lowest);
@@ -60,11 +67,9 @@ export class EnergyCurve {
     } else {
       parts.push(
         line('hexagons', plot.left, y(1), plot.right, y(1)),
-        text('end', plot.left - 6, y(highest) + 6, highest.toFixed(2)),
-        ...ticksWithin(1.1 * lowest, highest / 1.1).map((tick) =>
-          text('end', plot.left - 6, y(tick) + 4, String(tick)),
+        ...apart([1, highest, ...roundNumbers.filter((tick) => tick < highest)], y).map((tick) =>
+          text('end', plot.left - 6, y(tick) + 4, String(Number(tick.toPrecision(3)))),
         ),
-        text('end', plot.left - 6, y(1) + 4, '1'),
         make('polyline', { points: energies.map((e, i) => `${x(i)},${y(e)}`).join(' ') }),
         make('circle', { cx: x(last), cy: y(energies[last]), r: 3 }),
       );
@@ -73,10 +78,12 @@ export class EnergyCurve {
   }
 }
 
-/** Round numbers for the axis, few enough to read. */
-function ticksWithin(from: number, to: number): number[] {
-  const steps = to / from > 8 ? [1, 10, 100, 1000] : [1.2, 1.5, 2, 3, 5, 10];
-  return steps.filter((tick) => tick > Math.max(from, 1.1) && tick < to);
+/** The ticks without those that are too near to one before them in the list to be read. */
+function apart(ticks: readonly number[], y: (tick: number) => number): number[] {
+  const kept: number[] = [];
+  for (const tick of ticks)
+    if (kept.every((other) => Math.abs(y(other) - y(tick)) >= tickDistance)) kept.push(tick);
+  return kept;
 }
 
 function descriptionOf(energies: readonly number[]): string {
