@@ -462,21 +462,23 @@ suite('the page', () => {
     assert.deepEqual(result, { isOpen: true, isKept: false, name: 'torus.glb' });
   });
 
-  test('a site that is added while its model is made otherwise is kept', async () => {
+  test('what is edited while a model is made otherwise is kept: sites and density', async () => {
     const count = await viewer.siteCount();
     const kept = await viewer.evaluate(async (viewer) => {
       const loaded = new Promise((resolve) => viewer.addEventListener('load', resolve));
-      const add = ({ detail: { totalProgress } }) => {
+      const edit = ({ detail: { totalProgress } }) => {
         if (totalProgress < 1) return; // the sites have been put on the new mesh
-        viewer.removeEventListener('progress', add);
+        viewer.removeEventListener('progress', edit);
         viewer.addSite({ face: 5, bary: [0.3, 0.3, 0.4] });
+        viewer.density = viewer.mesh.positions.filter((_, i) => i % 3 === 0).fill(100);
       };
-      viewer.addEventListener('progress', add);
+      viewer.addEventListener('progress', edit);
       viewer.setAttribute('max-edge', '0.02');
       await loaded;
-      return viewer.sites.face.length;
+      return { sites: viewer.sites.face.length, densities: viewer.density?.map(Math.round) };
     });
-    assert.equal(kept, count + 1);
+    assert.equal(kept.sites, count + 1);
+    assert.deepEqual(new Set(Object.values(kept.densities ?? {})), new Set([100]));
   });
 
   test('models that were given up leave the first, with its settings', async () => {

@@ -148,7 +148,7 @@ export class Viewer implements Workpiece {
     session.pauseCvt(); // or the sites to keep would not come to rest
     const mesh = this.#read === this.#readShown ? session.mesh : undefined;
     const sites = () => (attributes.differ(samplingAttributes) ? undefined : session.sites);
-    const kept = mesh && { mesh, sites, tints: this.#model?.paint.tints?.slice() };
+    const kept = mesh && { mesh, sites, tints: () => session.tints };
     await this.#open(this.#read, { ...attributes.opening, kept });
   }
 

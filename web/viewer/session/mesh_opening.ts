@@ -30,11 +30,12 @@ export interface Opening {
   kept?: Kept | undefined;
 }
 
+/** What is kept may change while the model is opened. */
 interface Kept {
   mesh: Mesh;
-  /** In place of sampled sites; undefined if these are wanted. They may change meanwhile. */
+  /** In place of sampled sites; undefined if these are wanted. */
   sites: () => Sites | undefined;
-  tints: Tints;
+  tints: () => Tints;
 }
 
 /** Reads a model's files. */
@@ -76,14 +77,14 @@ export async function openMesh(
       throw sentence(`${files.name} cannot be opened`, error);
     });
     const placing = { signal, onProgress: between(meshShare, 1) };
-    const rest = Promise.all([keptTints(mesh, kept, { signal }), sceneOf(mesh, builder, signal)]);
-    const [sites, [tints, scene]] = await Promise.all([
-      firstSites(mesh, { siteSampling, kept }, rest, placing),
-      rest,
+    const drawn = sceneOf(mesh, builder, signal);
+    const [edited, scene] = await Promise.all([
+      firstState(mesh, { siteSampling, kept }, drawn, placing),
+      drawn,
     ]);
     signal.throwIfAborted();
     const name = lastSegment(mesh.info.origin.file);
-    return { mesh, name, files, sites, tints, scene, builder };
+    return { mesh, name, files, ...edited, scene, builder };
   } catch (error) {
     mesh?.dispose();
     builder.dispose();
@@ -101,22 +102,24 @@ async function sceneOf(
   return new SceneMesh(arrays ?? (await import('../buffers/scene_arrays.js')).sceneArrays(mesh));
 }
 
-/** The sites that are wanted when the rest is done. */
-async function firstSites(
+/** The sites and the density that are wanted when the scene is there. */
+async function firstState(
   mesh: Mesh,
   { siteSampling, kept }: Omit<Opening, 'build'>,
-  rest: Promise<unknown>,
+  scene: Promise<unknown>,
   task: TaskOptions,
-): Promise<PointList> {
+): Promise<Pick<OpenedMesh, 'sites' | 'tints'>> {
   for (;;) {
     const wanted = siteSampling();
-    const before = kept?.sites();
+    const before = { sites: kept?.sites(), tints: kept?.tints() };
     const sites =
-      kept && before
-        ? await keptSites(mesh, kept.mesh, before, task)
+      kept && before.sites
+        ? await keptSites(mesh, kept.mesh, before.sites, task)
         : await sampleSites(mesh, wanted, task);
-    await rest;
-    if (shallowEqual(siteSampling(), wanted) && kept?.sites() === before) return sites;
+    const tints = kept && before.tints && (await keptTints(mesh, kept.mesh, before.tints, task));
+    await scene;
+    const now = { sites: kept?.sites(), tints: kept?.tints() };
+    if (shallowEqual(siteSampling(), wanted) && shallowEqual(now, before)) return { sites, tints };
   }
 }
 
@@ -136,13 +139,16 @@ async function keptSites(
 }
 
 /** The painted density at the vertices: what it was at the closest points of the mesh before. */
-async function keptTints(mesh: Mesh, kept: Kept | undefined, task: TaskOptions): Promise<Tints> {
-  if (!kept?.tints) return undefined;
-  const { tints } = kept;
-  const { indices } = kept.mesh;
+async function keptTints(
+  mesh: Mesh,
+  before: Mesh,
+  tints: Float32Array,
+  { signal }: TaskOptions,
+): Promise<Tints> {
+  const { indices } = before;
   // Vertices that no triangle has may be anywhere.
   const places = mesh.positions.map((x) => (Number.isFinite(x) ? x : 0));
-  const { face, bary } = await kept.mesh.closestPoints(places, task);
+  const { face, bary } = await before.closestPoints(places, { signal });
   return Float32Array.from(face, (f, v) =>
     [0, 1, 2].reduce((sum, k) => sum + bary[3 * v + k] * tints[indices[3 * f + k]], 0),
   );

@@ -83,6 +83,10 @@ export class Session {
     return this.#history.present;
   }
 
+  get tints(): Tints {
+    return this.#history.tints;
+  }
+
   get canUndo(): boolean {
     return this.#history.canUndo;
   }
