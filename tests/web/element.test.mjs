@@ -840,4 +840,18 @@ suite('attributes and events', () => {
       { type: 'image/webp', width: 900, height: 600 },
     ]);
   });
+
+  test('a picture that is being written is not lost with its model', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
+    const size = await viewer.evaluate(async (viewer) => {
+      const { postMessage } = MessagePort.prototype;
+      MessagePort.prototype.postMessage = function (message, ...options) {
+        postMessage.call(this, message, ...options);
+        if (message.name === 'picture') viewer.remove();
+      };
+      const { width, height } = await createImageBitmap(await viewer.toBlob());
+      return { width, height, isGone: !viewer.loaded };
+    });
+    assert.deepEqual(size, { width: 300, height: 200, isGone: true });
+  });
 });

@@ -144,8 +144,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
   /** A picture of the view, `scale` times as large. */
   async toBlob(type = 'image/png', quality?: number, scale = 1): Promise<Blob> {
     if (!this.#viewer) throw new Error('The element is in no document, or has not been in view.');
-    const drawn = await this.#viewer.picture(scale);
-    return fileOfPicture(drawn, { type, quality }, this.#viewer?.model?.builder);
+    return fileOfPicture(await this.#viewer.picture(scale), { type, quality });
   }
 
   // --- Sites ----------------------------------------------------------------------------------

@@ -18,8 +18,8 @@ const worker = new PortedWorker(
 );
 
 /**
- * Makes what is drawn of one mesh in a worker, which all elements share. Results are undefined if
- * the worker has stopped: the caller has to make them then.
+ * Makes what is drawn of one mesh, or files of pictures, in a worker, which all elements share.
+ * Results are undefined if the worker has stopped: the caller has to make them then.
  */
 export class DrawingBuilder {
   readonly #port = worker.open(() => this.dispose());
@@ -35,7 +35,12 @@ export class DrawingBuilder {
     };
   }
 
-  /** The mesh in the scene. This request has to come first. */
+  /** True once the worker has started. */
+  answers() {
+    return this.#ask('answers', []);
+  }
+
+  /** The mesh in the scene. This request has to come before others about it. */
   scene({ positions, indices }: Pick<Mesh, 'positions' | 'indices'>) {
     return this.#ask('scene', [{ positions, indices }]);
   }
@@ -99,14 +104,16 @@ export class DrawingBuilder {
   }
 }
 
-/** The file of a picture whose pixels are given away; a builder makes it if there is one. */
-export async function fileOfPicture(
-  drawn: DrawnPixels,
-  format: PictureFormat,
-  builder: DrawingBuilder | undefined,
-): Promise<Blob> {
-  const made = await builder?.picture(drawn, format);
-  if (made) return made;
+/** The file of a picture whose pixels are given away. The model may be closed meanwhile. */
+export async function fileOfPicture(drawn: DrawnPixels, format: PictureFormat): Promise<Blob> {
+  const builder = new DrawingBuilder();
+  try {
+    // A worker that does not start would take the pixels with it.
+    const made = (await builder.answers()) && (await builder.picture(drawn, format));
+    if (made) return made;
+  } finally {
+    builder.dispose();
+  }
   if (drawn.pixels.length === 0) throw new Error('The picture cannot be made.');
   return (await import('../stage/picture_file.js')).pictureFile(drawn, format);
 }
