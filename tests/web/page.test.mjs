@@ -390,6 +390,24 @@ suite('the page', () => {
     assert.equal(await viewer.page.inputValue('#count'), String(before.face.length));
   });
 
+  test('sites and a density that are asked for once more are no step to undo', async () => {
+    const steps = () =>
+      viewer.evaluate(async (viewer) => {
+        let count = 0;
+        for (; !document.getElementById('undo').disabled; ++count) viewer.undo();
+        return count;
+      });
+    await viewer.page.getByText('Smaller regions in places').click();
+    for (const _ of [1, 2]) {
+      await viewer.after('diagram', () => viewer.page.click('#sampling-form [type=submit]'));
+      await viewer.after('density-change', () => viewer.page.click('#density-curvature'));
+    }
+    // The sites were sampled by the density the second time.
+    assert.equal(await steps(), 2);
+    await viewer.after('diagram', () => viewer.page.click('#sampling-form [type=submit]'));
+    assert.equal(await steps(), 0);
+  });
+
   test('what fails or is cancelled leaves its settings as they were', async () => {
     const attributes = () =>
       viewer.evaluate((viewer) =>

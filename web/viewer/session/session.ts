@@ -25,6 +25,8 @@ import type {
   ShownDiagram,
 } from './shown_diagram.js';
 import {
+  areSamePlaces,
+  isSameDensity,
   type PointList,
   SiteHistory,
   type SitePlace,
@@ -191,9 +193,9 @@ export class Session {
     if (!this.isMoving && this.canRedo) this.#step(() => this.#history.redo());
   }
 
-  /** Records a painted density, a step to undo. Ends a tessellation; the next one uses it. */
+  /** Records a painted density, a step to undo if it is another. Ends a tessellation; the next one uses it. */
   recordDensity(tints: Tints): void {
-    if (!this.mesh || (!tints && !this.#history.tints)) return;
+    if (!this.mesh || isSameDensity(tints, this.#history.tints)) return;
     this.#cvt.stop();
     this.#history.recordTints(tints);
     this.#listener.sitesChanged();
@@ -262,9 +264,10 @@ export class Session {
     if (this.sites !== sites) this.#request();
   }
 
+  /** Replaces the sites, a step to undo unless they are where they were, as those sampled once more. */
   #record(sites: Sites): void {
     this.#cvt.stop();
-    this.#history.record(sites);
+    if (!areSamePlaces(sites, this.sites)) this.#history.record(sites);
     this.#sitesReplaced();
   }
 

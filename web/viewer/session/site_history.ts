@@ -3,6 +3,7 @@
 // Sites and density, with the steps that can be undone.
 
 import type { SurfacePoints } from 'geodesic-voronoi';
+import { shallowEqual } from './shallow_equal.js';
 
 /** A site as the viewer edits it. The identity stays when it moves and when others come and go. */
 export interface Site {
@@ -27,6 +28,14 @@ export function placeOf({ face, bary }: PointList, i: number): SitePlace {
   return { face: face[i], bary: [bary[3 * i], bary[3 * i + 1], bary[3 * i + 2]] };
 }
 
+/** Whether sites are where others are, in the same order. */
+export function areSamePlaces(some: Sites, others: Sites): boolean {
+  return (
+    some.length === others.length &&
+    some.every(({ face, bary }, i) => face === others[i].face && shallowEqual(bary, others[i].bary))
+  );
+}
+
 /** What a caller gives as a place; the library refuses one that is not on the surface. */
 function checked(place: SitePlace): SitePlace {
   const { face, bary } = place ?? {};
@@ -38,6 +47,10 @@ function checked(place: SitePlace): SitePlace {
 
 /** A density as it is painted: see `DensityPaint.tints`. */
 export type Tints = Float32Array | undefined;
+
+export function isSameDensity(a: Tints, b: Tints): boolean {
+  return a === b || (a?.length === b?.length && a?.every((tint, v) => tint === b?.[v]) === true);
+}
 
 /** The state that is edited. */
 interface State {
