@@ -743,6 +743,15 @@ suite('attributes and events', () => {
     const message = viewer.page.locator('geodesic-voronoi [role=alert]');
     assert.equal(await message.textContent(), sentence);
     assert.equal(await message.isVisible(), true);
+    await viewer.after('error', () =>
+      viewer.evaluate((viewer) => {
+        viewer.loss = window.contexts[0].getExtension('WEBGL_lose_context');
+        viewer.loss.loseContext();
+      }),
+    );
+    assert.match(await message.textContent(), /^The graphics card has dropped this view/);
+    await viewer.evaluate((viewer) => viewer.loss.restoreContext());
+    await message.filter({ hasText: sentence }).waitFor();
     await viewer.after('diagram', () => viewer.set({ src: '/samples/torus.glb' }));
     assert.equal(await message.isVisible(), false);
   });

@@ -194,6 +194,21 @@ suite('first sight', () => {
     await viewer.page.mouse.click(110, 100);
   });
 
+  test('a view that cannot be made for another reason than WebGL says which', async () => {
+    const viewer = await browser.open({
+      prepare: (page) =>
+        page.addInitScript(() => {
+          window.ResizeObserver = undefined;
+        }),
+    });
+    const message = viewer.page.locator('geodesic-voronoi [role=alert]');
+    assert.equal(
+      await message.textContent(),
+      'The view cannot be made: ResizeObserver is not a constructor.',
+    );
+    await viewer.page.locator('#status', { hasText: /^No model is open\.$/ }).waitFor();
+  });
+
   test('what cannot be loaded is told in a sentence, and nothing goes on', async () => {
     const cases = [
       [/\/worker-/, 'geodesic-voronoi [role=alert]', /^Nothing can be computed: the worker .+\.$/],

@@ -16,7 +16,7 @@ import { type Command, commandOf, instructionsOf, perform } from './tools/comman
 import { fileOfPicture } from './buffers/drawing_builder.js';
 import { ElementShadow } from './element/element_shadow.js';
 import type { CvtIteration, ViewerEventMap, ViewerEvents } from './events.js';
-import { contextLost, type FailureType, noWebGl } from './session/failure.js';
+import { contextLost, type FailureType, NoWebGlError, sentence } from './session/failure.js';
 import type { HoveredPoint } from './tools/hover.js';
 import type { Reader } from './session/mesh_opening.js';
 import { type Layer, layers } from './drawing/model_drawing.js';
@@ -329,28 +329,28 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     return (await this.#started()?.open(read)) ?? false;
   }
 
-  /** The viewer, made now if there is none; undefined outside of documents and without WebGL 2. */
+  /** The viewer, made now if there is none; undefined outside of documents, and if it cannot be made. */
   #started(): Viewer | undefined {
     const shadow = this.#shadow;
-    if (this.#viewer || !shadow || shadow.message) return this.#viewer;
+    if (this.#viewer || !shadow || shadow.failure) return this.#viewer;
     const emit = <Type extends keyof ViewerEvents>(type: Type, detail: ViewerEvents[Type]) => {
       this.dispatchEvent(new CustomEvent(type, { detail }));
     };
     const fail = (type: ViewerEvents['error']['type'], message: string, cause?: unknown) => {
-      shadow.message = message;
       emit('error', { type, message, cause });
     };
     try {
       this.#viewer = new Viewer(shadow.canvas, {
         attributes: this.attributeValues,
         emit,
-        hint: (sentence) => shadow.hint(sentence),
+        hint: (text) => shadow.hint(text),
         contextLost: () => fail('webglcontextlost', contextLost),
-        contextRestored: () => (shadow.message = undefined),
+        contextRestored: () => (shadow.isContextLost = false),
       });
-    } catch (cause) {
+    } catch (error) {
       this.setAttribute('status', 'failed');
-      fail('nowebgl', noWebGl, cause);
+      if (error instanceof NoWebGlError) fail('nowebgl', error.message, error.cause);
+      else fail('loadfailure', sentence('The view cannot be made', error).message, error);
     }
     return this.#viewer;
   }
@@ -382,13 +382,15 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     this.addEventListener('sites-change', () => this.#describe());
     for (const type of ['load', 'diagram'])
       this.addEventListener(type, () => {
-        if (this.#shadow && this.#shadow.message !== contextLost) this.#shadow.message = undefined;
+        if (this.#shadow) this.#shadow.failure = undefined;
         this.#showPoster();
       });
     // A model or a diagram that is there stays in view, and the page reports the failure.
     this.addEventListener('error', ({ detail: { type, message } }) => {
       const isThere = type === 'loadfailure' ? this.loaded : this.diagram;
-      if (this.#shadow && !isThere) this.#shadow.message = message;
+      if (!this.#shadow) return;
+      if (type === 'webglcontextlost') this.#shadow.isContextLost = true;
+      else if (!isThere) this.#shadow.failure = message;
     });
   }
 

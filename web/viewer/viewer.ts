@@ -69,10 +69,10 @@ export class Viewer implements Workpiece {
   /** Ends with the viewer, which tells nothing afterwards. */
   readonly #watching = new AbortController();
 
-  /** Throws if there is no WebGL 2. */
+  /** Throws a `NoWebGlError` if there is no WebGL 2. */
   constructor(canvas: HTMLCanvasElement, host: ViewerHost) {
     const { signal } = this.#watching;
-    // Taken before anything listens on the canvas, because it throws if there is no WebGL 2.
+    // Taken before anything listens on the canvas, because there may be no WebGL 2.
     const renderer = SharedRenderer.take(
       {
         contextLost: () => host.contextLost(),

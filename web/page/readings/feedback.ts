@@ -111,10 +111,11 @@ function setUpErrors(viewer: GeodesicVoronoiElement): void {
   // The element may have found that there is no WebGL before anything listened to it.
   if (viewer.status === 'failed') tellNone('');
   listen(viewer, 'error', ({ type, message }) => {
+    if (type === 'webglcontextlost') return; // what is under way goes on
     byId('progress', HTMLElement).hidden = true;
     if (!viewer.loaded) {
       tellNone(type === 'nowebgl' ? '' : ' Reload the page to try again, or open another model.');
-    } else if (type === 'loadfailure' || (type === 'computefailure' && viewer.diagram)) {
+    } else if (type === 'loadfailure' || viewer.diagram) {
       const advice = isIncomplete.test(message) ? ' Open both together, or their folder.' : '';
       showError(message + advice);
     }

@@ -3,6 +3,7 @@
 // The inside of the element: its canvas, and what lies on it.
 
 import { legendStyle } from '../layers/legend.js';
+import { contextLost } from '../session/failure.js';
 import { make } from '../stage/make.js';
 
 const style = `
@@ -87,6 +88,8 @@ export class ElementShadow {
   readonly #hint = make('div', { className: 'hint' });
   readonly #instructions = make('p', { className: 'instructions', id: 'instructions' });
   #hintTimer = 0;
+  #failure: string | undefined;
+  #isContextLost = false;
 
   constructor(host: HTMLElement) {
     this.#root = host.shadowRoot ?? host.attachShadow({ mode: 'open', delegatesFocus: true });
@@ -129,12 +132,24 @@ export class ElementShadow {
     else this.canvas.removeAttribute('tabindex');
   }
 
-  get message(): string | undefined {
-    return this.#message.hidden ? undefined : (this.#message.textContent ?? '');
+  get failure(): string | undefined {
+    return this.#failure;
   }
 
-  /** A sentence on the view; undefined takes it away. */
-  set message(sentence: string | undefined) {
+  /** Why there is no view, no model or no diagram, as a sentence on the view; undefined once there is. */
+  set failure(sentence: string | undefined) {
+    this.#failure = sentence;
+    this.#showMessage();
+  }
+
+  /** While the context is lost, the view says this alone. */
+  set isContextLost(isLost: boolean) {
+    this.#isContextLost = isLost;
+    this.#showMessage();
+  }
+
+  #showMessage(): void {
+    const sentence = this.#isContextLost ? contextLost : this.#failure;
     this.#message.hidden = sentence === undefined;
     this.#message.textContent = sentence ?? '';
   }

@@ -11,6 +11,7 @@ import {
   type WebGLProgram,
   WebGLRenderer,
 } from 'three';
+import { NoWebGlError } from '../session/failure.js';
 import { nextFrame } from './next_frame.js';
 import type { DrawnPixels } from './picture_file.js';
 
@@ -47,7 +48,7 @@ export class SharedRenderer {
   readonly #size = new Vector2();
   readonly #users = new Set<ContextListener>();
 
-  /** The renderer, until the signal ends its use. Throws if there is no WebGL 2. */
+  /** The renderer, until the signal ends its use. Throws a `NoWebGlError` if there can be none. */
   static take(user: ContextListener, signal: AbortSignal): SharedRenderer {
     const renderer = (present ??= new SharedRenderer());
     renderer.#users.add(user);
@@ -63,7 +64,11 @@ export class SharedRenderer {
     canvas.addEventListener('webglcontextrestored', () => {
       for (const user of this.#users) user.contextRestored();
     });
-    this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    try {
+      this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    } catch (error) {
+      throw new NoWebGlError(error);
+    }
     this.#renderer.setClearAlpha(0);
   }
 
