@@ -209,6 +209,31 @@ suite('first sight', () => {
     await viewer.page.locator('#status', { hasText: /^No model is open\.$/ }).waitFor();
   });
 
+  test('a context that is lost while the first model is loaded ends nothing', async () => {
+    let send;
+    const sent = new Promise((resolve) => {
+      send = resolve;
+    });
+    const viewer = await browser.visit({
+      prepare: (page) =>
+        page.route('**/bunny.ply', async (route) => {
+          await sent;
+          await route.continue();
+        }),
+    });
+    await viewer.page.waitForFunction(() => window.contexts.length > 0);
+    await viewer.after('diagram', async () => {
+      await viewer.evaluate(async (viewer) => {
+        const lost = new Promise((resolve) => viewer.addEventListener('error', resolve));
+        window.contexts[0].getExtension('WEBGL_lose_context').loseContext();
+        await lost;
+      });
+      assert.match(await viewer.page.textContent('#status'), /^(Loading|Opening)/);
+      assert.equal(await viewer.page.locator('#progress').isVisible(), true);
+      send();
+    });
+  });
+
   test('what cannot be loaded is told in a sentence, and nothing goes on', async () => {
     const cases = [
       [/\/worker-/, 'geodesic-voronoi [role=alert]', /^Nothing can be computed: the worker .+\.$/],
