@@ -239,6 +239,24 @@ suite('the panel', () => {
     await viewer.page.locator('#status', { hasText: 'regions, computed' }).waitFor();
   });
 
+  test('a view without a diagram is not exploded: a click adds a site, and then it is', async () => {
+    await viewer.evaluate((viewer) => {
+      viewer.addEventListener('load', () => queueMicrotask(() => viewer.cancel()), { once: true });
+      viewer.setAttribute('weld', '1e-7');
+      viewer.exploded = 0.5;
+    });
+    const note = viewer.page.locator('#note-text', { hasText: 'was not computed to its end' });
+    await note.waitFor();
+    assert.equal(await viewer.page.locator('#exploded').isDisabled(), true);
+    const { x, y } = await viewer.freePlace();
+    const parts = await viewer.after('exploded', () => viewer.page.mouse.click(x, y));
+    assert.equal(parts.regions, 61);
+    assert.equal(await viewer.page.locator('#note').isVisible(), false);
+    await viewer.page.mouse.click(x, y);
+    await viewer.page.locator('#note-text', { hasText: 'in the exploded view' }).waitFor();
+    assert.equal(await viewer.siteCount(), 61);
+  });
+
   test('link and code are copied', async () => {
     await click('#share-button');
     await viewer.page.getByRole('region', { name: 'The same by code' }).waitFor();

@@ -117,13 +117,12 @@ function setUpExploded(viewer: GeodesicVoronoiElement): void {
   const update = () => {
     slider.disabled = viewer.diagram === undefined;
   };
-  listen(viewer, 'diagram', update);
-  listen(viewer, 'cvt-iteration', update);
+  for (const type of ['load', 'diagram', 'cvt-iteration'] as const) listen(viewer, type, update);
   // The note explains why a click on these regions does nothing, and ends with the view.
   const end = { title: 'End the exploded view', act: () => (viewer.exploded = 0) };
   let endNote = () => {};
   viewer.addEventListener('click', () => {
-    if (viewer.exploded > 0) {
+    if (viewer.exploded > 0 && viewer.diagram) {
       endNote = showNote('No site can be added or moved in the exploded view.', end);
     }
   });

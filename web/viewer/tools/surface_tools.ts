@@ -58,12 +58,16 @@ export class SurfaceTools {
     this.#work = work;
   }
 
-  /**
-   * The surface at device coordinates; undefined in the exploded view.
-   */
+  /** Whether the view is exploded, or soon will be: there are no regions without a diagram. */
+  get #isExploded(): boolean {
+    const { attributes, session } = this.#work;
+    return attributes.exploded > 0 && session.shown?.diagram !== undefined;
+  }
+
+  /** The surface at device coordinates; undefined in the exploded view. */
   pick(device: Vector2): SurfaceHit | undefined {
-    const { attributes, model, stage } = this.#work;
-    return attributes.exploded > 0 ? undefined : model?.picker.pick(device, stage.camera.object);
+    const { model, stage } = this.#work;
+    return this.#isExploded ? undefined : model?.picker.pick(device, stage.camera.object);
   }
 
   /** Adds a site there, or a dab of density. */
@@ -87,7 +91,7 @@ export class SurfaceTools {
     const site = attributes.isPainting ? undefined : this.siteAt(x, y, pointerReach);
     if (site !== undefined) this.select(site);
     else if (this.pick(device)) this.useAt(device);
-    else if (attributes.exploded > 0) this.#work.hint('No site can be added in the exploded view');
+    else if (this.#isExploded) this.#work.hint('No site can be added in the exploded view');
     else this.#work.hint('The model is not at the centre of the view');
   }
 
@@ -97,8 +101,9 @@ export class SurfaceTools {
    */
   siteAt(x: number, y: number, reach: number): number | undefined {
     const { attributes, model, session, stage } = this.#work;
-    const { layers, exploded, interactive } = attributes;
-    if (!model || !layers.includes('sites') || exploded > 0 || !interactive.edit) return undefined;
+    const { layers, interactive } = attributes;
+    if (!model || !layers.includes('sites') || this.#isExploded || !interactive.edit)
+      return undefined;
     const { drawing } = model;
     const toClient = stage.projection();
     const nearby: DrawnSite[] = [];
