@@ -306,6 +306,25 @@ suite('access', () => {
     assert.ok(share < 0.05, `${share} of the view is the legend's`);
   });
 
+  test('the legend of distances does not lie on the first model', async () => {
+    const viewer = await browser.open();
+    await viewer.set({ layers: ['distances', 'sites'] });
+    const legend = viewer.page.locator('geodesic-voronoi [part=distances]');
+    await legend.waitFor();
+    for (const [width, height] of [
+      [1440, 900],
+      [1280, 720],
+      [1100, 768],
+      [1024, 768],
+      [390, 844],
+    ]) {
+      await viewer.page.setViewportSize({ width, height });
+      await viewer.still();
+      const hit = await viewer.surfaceIn(await legend.boundingBox());
+      assert.equal(hit, undefined, `in a window ${width} pixels wide`);
+    }
+  });
+
   test('what is chosen is seen in the system’s colours', async () => {
     const viewer = await browser.open({ forcedColors: 'active' });
     const [on, off] = await viewer.page.evaluate(() =>

@@ -21,7 +21,7 @@ export const legendStyle = `
   :host(:is([layers~='distances'], [layers~='original'])) .density { display: none; }
   .scale { height: 10px; border-radius: 3px; forced-color-adjust: none; }
   .ends { display: flex; justify-content: space-between; direction: ltr; }
-  @container (max-width: 600px) or (max-height: 400px) {
+  @container (max-width: 1000px) or (max-height: 400px) {
     .legend { width: 160px; padding: 5px 8px; font-size: 11px; }
     .legend .detail { display: none; }
   }
