@@ -19,9 +19,9 @@ interface Row {
   formats: readonly string[];
 }
 
-const meshFormats = ['glb', 'obj', 'ply', 'stl'];
+const meshFormats = ['glb', 'obj', 'ply', 'stl'] as const;
 
-const rows: readonly Row[] = [
+const rows = [
   {
     title: 'Picture',
     hint: 'The view, as large as it is or larger',
@@ -65,7 +65,10 @@ const rows: readonly Row[] = [
     name: 'dual',
     formats: meshFormats,
   },
-];
+] as const satisfies readonly Row[];
+
+/** The formats of each name, which `exports.ts` makes. */
+export type Formats = { [Each in (typeof rows)[number] as Each['name']]: Each['formats'][number] };
 
 /** What a downloaded file is called, after the file of its model. */
 export function downloadName(model: string, name: string, ending: string): string {

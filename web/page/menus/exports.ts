@@ -5,6 +5,7 @@
 import type { AttributeSource, Diagram, DiagramData } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement, Status } from '../../viewer/element.js';
 import { linear } from '../../viewer/buffers/colour_vision.js';
+import type { Formats } from './downloads.js';
 import { encode } from './encoding.js';
 import { outlinesSvg } from './outline_svg.js';
 import { sitesCsv, sitesJson } from '../model/sites_file.js';
@@ -27,7 +28,7 @@ const mediaTypes = {
   zip: 'application/zip',
 };
 
-/** The encoders of results of the diagram, by name, then by format. */
+/** The encoders of results of the diagram, as the menu has them. */
 const encoders: Record<string, Record<string, Encoder>> = {
   outlines: {
     svg: async (diagram, _, viewer) =>
@@ -73,7 +74,7 @@ const encoders: Record<string, Record<string, Encoder>> = {
   },
   polygons: polygonEncoders(true),
   dual: polygonEncoders(false),
-};
+} satisfies { [Name in Exclude<keyof Formats, 'picture'>]: Record<Formats[Name], Encoder> };
 
 /** The data of a diagram that has any bisectors: a file without content is of no use. */
 async function bisectorsOf(diagram: Diagram): Promise<DiagramData> {
@@ -82,7 +83,7 @@ async function bisectorsOf(diagram: Diagram): Promise<DiagramData> {
   return data;
 }
 
-function polygonEncoders(primal: boolean): Record<string, Encoder> {
+function polygonEncoders(primal: boolean): Record<Formats['dual'], Encoder> {
   const polygons = async (diagram: Diagram) => {
     const mesh = await diagram.dual({ primal });
     if (mesh.faces.offset.length > 1) return mesh;
