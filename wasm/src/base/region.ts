@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A region of a diagram as callers see it.
-import { inspectSymbol } from './symbols.js';
+import { inspectSymbol, tagSymbol } from './symbols.js';
 import type { DiagramData } from '../api/results.js';
 import type { Region } from '../api/types.js';
 
@@ -37,8 +37,7 @@ class DataRegion implements Region {
     this.#index = index;
   }
 
-  /** Vue puts no proxy, which could not read private fields, before an object with a tag. */
-  get [Symbol.toStringTag](): string {
+  get [tagSymbol](): string {
     return 'Region';
   }
 

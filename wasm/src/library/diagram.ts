@@ -9,7 +9,7 @@ import { settled, type DiagramForm, type Engine, type OpenedDiagram } from '../e
 import { diagramJson, type DiagramJson } from '../output/diagram_formats.js';
 import { checked, repairDefaults, toPoint, toPoints, type GivenPoints } from './arguments.js';
 import { EngineObject } from './engine_object.js';
-import { disposeSymbol, inspectSymbol } from '../base/symbols.js';
+import { disposeSymbol, inspectSymbol, tagSymbol } from '../base/symbols.js';
 import { regionsOf } from '../base/region.js';
 import { partOf } from '../base/slices.js';
 import type {
@@ -100,8 +100,7 @@ export class EngineDiagram implements Diagram {
     return diagramJson(this);
   }
 
-  /** Vue puts no proxy, which could not read private fields, before an object with a tag. */
-  get [Symbol.toStringTag](): string {
+  get [tagSymbol](): string {
     return 'Diagram';
   }
 

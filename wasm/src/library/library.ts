@@ -6,7 +6,7 @@
 import { toTaskOptions } from '../base/checks.js';
 import type { Engine } from '../engine/engine.js';
 import { checked, meshDefaults, toMeshInput } from './arguments.js';
-import { disposeSymbol } from '../base/symbols.js';
+import { disposeSymbol, tagSymbol } from '../base/symbols.js';
 import { EngineMesh } from './mesh.js';
 import type { Triangles } from '../base/triangles.js';
 import type { MeshOptions, MeshSource } from '../api/options.js';
@@ -19,8 +19,7 @@ export class Library implements GeodesicVoronoi {
     this.#engine = engine;
   }
 
-  /** Vue puts no proxy, which could not read private fields, before an object with a tag. */
-  get [Symbol.toStringTag](): string {
+  get [tagSymbol](): string {
     return 'GeodesicVoronoi';
   }
 

@@ -29,7 +29,7 @@ import {
   type GivenPoints,
 } from './arguments.js';
 import { EngineObject } from './engine_object.js';
-import { disposeSymbol } from '../base/symbols.js';
+import { disposeSymbol, tagSymbol } from '../base/symbols.js';
 import type {
   BareComponents,
   ClosestPoints,
@@ -94,8 +94,7 @@ export class EngineMesh implements Mesh {
     this.#object = new EngineObject('mesh', engine, handle);
   }
 
-  /** Vue puts no proxy, which could not read private fields, before an object with a tag. */
-  get [Symbol.toStringTag](): string {
+  get [tagSymbol](): string {
     return 'Mesh';
   }
 
