@@ -5,7 +5,7 @@
 import type { AttributeSource, Diagram, DiagramData } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement, Status } from '../../viewer/element.js';
 import { linear } from '../../viewer/buffers/colour_vision.js';
-import type { Formats } from './downloads.js';
+import type { Formats } from './download_rows.js';
 import { encode } from './encoding.js';
 import { outlinesSvg } from './outline_svg.js';
 import { sitesCsv, sitesJson } from '../model/sites_file.js';
