@@ -385,6 +385,31 @@ suite('files', () => {
     await viewer.after('diagram', () => viewer.evaluate((viewer) => viewer.resetCvt()));
   });
 
+  test('a file is called after its model, and told of if that is gone before it is made', async () => {
+    const own = await browser.open();
+    await own.evaluate((viewer) => {
+      const { toBlob } = viewer;
+      viewer.toBlob = async (...format) => {
+        const blob = await toBlob.apply(viewer, format);
+        await viewer.load('samples/torus.glb');
+        return blob;
+      };
+    });
+    assert.equal((await own.download('picture', '1x')).name, 'bunny-picture.png');
+    await own.settled();
+    await own.evaluate(({ diagram }) => {
+      const { partition } = diagram;
+      diagram.partition = () => {
+        diagram.dispose();
+        return partition.apply(diagram);
+      };
+    });
+    await own.page.click('#download-button');
+    await own.page.click('#download-parts-obj');
+    const error = own.page.locator('#error-text');
+    await error.filter({ hasText: 'its diagram has been replaced by another one' }).waitFor();
+  });
+
   test('every file of the menu can be had, also after a change', async () => {
     await viewer.after('diagram', () =>
       viewer.evaluate((viewer) => viewer.addSite({ face: 0, bary: [1, 0, 0] })),

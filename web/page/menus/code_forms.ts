@@ -10,7 +10,7 @@ import {
 } from '../../viewer/attributes/attribute_defaults.js';
 import type { GeodesicVoronoiElement } from '../../viewer/element.js';
 import { listen } from '../base/dom.js';
-import { downloadName } from './downloads.js';
+import { downloadName } from './download_rows.js';
 import { isSame } from '../base/same_sites.js';
 
 /** How the present sites were made: by sampling, by a tessellation of those, or by hand. */

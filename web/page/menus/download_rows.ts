@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The rows of the menu of downloads.
+// The rows of the menu of downloads, and the names of its files.
 
 /** A row of the menu: a result and the formats it comes in. */
 export interface Row {
@@ -61,3 +61,8 @@ export const rows = [
 
 /** The formats of each name, which `exports.ts` makes. */
 export type Formats = { [Each in (typeof rows)[number] as Each['name']]: Each['formats'][number] };
+
+/** What a downloaded file is called, after the file of its model. */
+export function downloadName(model: string, name: string, ending: string): string {
+  return `${model.replace(/\.[^.]*$/, '') || 'model'}-${name}.${ending}`;
+}

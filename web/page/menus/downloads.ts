@@ -3,18 +3,12 @@
 // The menu of files to take away.
 
 import type { GeodesicVoronoiElement } from '../../viewer/element.js';
-import { sentence } from '../../viewer/session/failure.js';
+import { isAbandoned, sentence } from '../../viewer/session/failure.js';
 import { make } from '../../viewer/stage/make.js';
 import { byId, listen } from '../base/dom.js';
 import { hideError, showError, showNoteOnSites } from '../base/messages.js';
-import { modelName } from '../state/page_state.js';
 import { repairDual } from '../controls/valid_dual.js';
 import { type Row, rows } from './download_rows.js';
-
-/** What a downloaded file is called, after the file of its model. */
-export function downloadName(model: string, name: string, ending: string): string {
-  return `${model.replace(/\.[^.]*$/, '') || 'model'}-${name}.${ending}`;
-}
 
 /** One menu of files to take away. */
 export function setUpDownloads(viewer: GeodesicVoronoiElement): void {
@@ -34,7 +28,7 @@ export function setUpDownloads(viewer: GeodesicVoronoiElement): void {
       // The code that writes files is fetched with the first download.
       const { fileOf } = await import('./exports.js');
       const file = await fileOf(viewer, name, format);
-      save(file.blob, downloadName(modelName(viewer), file.name, file.ending));
+      save(file.blob, file.name);
       if (file.faults) {
         const title = 'Add sites to make it valid';
         endNote = showNoteOnSites(viewer, file.faults, {
@@ -43,7 +37,11 @@ export function setUpDownloads(viewer: GeodesicVoronoiElement): void {
         });
       }
     } catch (error) {
-      showError(sentence('The file cannot be made', error).message);
+      showError(
+        isAbandoned(error)
+          ? 'The file was not made: its diagram has been replaced by another one meanwhile.'
+          : sentence('The file cannot be made', error).message,
+      );
     } finally {
       // On a phone, the menu would cover the error.
       menu.hidePopover();

@@ -5,10 +5,11 @@
 import type { AttributeSource, Diagram, DiagramData } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement, Status } from '../../viewer/element.js';
 import { linear } from '../../viewer/buffers/colour_vision.js';
-import type { Formats } from './download_rows.js';
+import { downloadName, type Formats } from './download_rows.js';
 import { encode } from './encoding.js';
 import { outlinesSvg } from './outline_svg.js';
 import { sitesCsv, sitesJson } from '../model/sites_file.js';
+import { modelName } from '../state/page_state.js';
 import { faultsOf } from '../controls/valid_dual.js';
 
 type Encoder = (
@@ -117,9 +118,7 @@ function coloursOf(viewer: GeodesicVoronoiElement): number[][] {
 
 interface ExportedFile {
   blob: Blob;
-  /** The middle of its name. */
   name: string;
-  ending: string;
   /** The faults of the mesh in it, as a sentence. */
   faults?: string | undefined;
 }
@@ -150,15 +149,15 @@ export async function fileOf(
 ): Promise<ExportedFile> {
   if (name === 'picture') {
     const scale = parseInt(format, 10);
-    return {
-      blob: await viewer.toBlob('image/png', undefined, scale),
-      name: scale === 1 ? name : `${name}@${scale}x`,
-      ending: 'png',
-    };
+    const file = downloadName(modelName(viewer), scale === 1 ? name : `${name}@${scale}x`, 'png');
+    return { blob: await viewer.toBlob('image/png', undefined, scale), name: file };
   }
   const diagram = await restingDiagram(viewer);
   if (!diagram) throw new Error('there is no diagram');
-  const blob = await encoders[name][format](diagram, { mesh: sourceOf(viewer) }, viewer);
+  // Another model may be opened while the file is made.
+  const [model, mesh] = [modelName(viewer), sourceOf(viewer)];
   const faults = faulty[name] && faultsOf(faulty[name], await diagram.violations());
-  return { blob, name, ending: blob.type === mediaTypes.zip ? 'zip' : format, faults };
+  const blob = await encoders[name][format](diagram, { mesh }, viewer);
+  const ending = blob.type === mediaTypes.zip ? 'zip' : format;
+  return { blob, name: downloadName(model, name, ending), faults };
 }
