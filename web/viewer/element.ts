@@ -149,7 +149,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
 
   // --- Sites ----------------------------------------------------------------------------------
 
-  /** The sites; setting them is a step that can be undone. Their number sets the attribute. */
+  /** The sites; setting others is a step that can be undone. Their number sets the attribute. */
   get sites(): SurfacePoints {
     return surfacePointsOf(this.#session?.sites ?? []);
   }
@@ -264,7 +264,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     return this.#viewer?.density?.slice();
   }
 
-  /** Values are kept between 1/1000 and 1000. Setting the density is a step that can be undone. */
+  /** Values are kept between 1/1000 and 1000. Setting another density is a step that can be undone. */
   set density(density: ArrayLike<number> | undefined) {
     this.#editable.density = density;
   }
