@@ -16,7 +16,7 @@ import { type Command, commandOf, instructionsOf, perform } from './tools/comman
 import { fileOfPicture } from './buffers/drawing_builder.js';
 import { ElementShadow } from './element/element_shadow.js';
 import type { CvtIteration, ViewerEventMap, ViewerEvents } from './events.js';
-import { contextLost, type FailureType, NoWebGlError, sentence } from './session/failure.js';
+import { contextLost, type FailureType, sentence } from './session/failure.js';
 import type { HoveredPoint } from './tools/hover.js';
 import type { Reader } from './session/mesh_opening.js';
 import { type Layer, layers } from './drawing/model_drawing.js';
@@ -26,6 +26,7 @@ import { ReflectingElement } from './element/reflecting_element.js';
 import type { CvtStatus, Status } from './session/session_listener.js';
 import { type PointList, type SitePlace, surfacePointsOf } from './session/site_history.js';
 import type { Session } from './session/session.js';
+import { NoWebGlError } from './stage/shared_renderer.js';
 import { Viewer } from './viewer.js';
 
 export type { Command, CvtIteration, CvtStatus, HoveredPoint, Layer, PointList, SitePlace, Status };

@@ -16,15 +16,5 @@ export function isAbandoned(error: unknown, signal?: AbortSignal): boolean {
   return signal?.aborted === true || (error as { code?: unknown })?.code === 'disposed';
 }
 
-/** Why nothing can be drawn, where that is so. */
-export class NoWebGlError extends Error {
-  constructor(cause: unknown) {
-    const sentences =
-      'This view needs WebGL 2, which this browser does not offer; ' +
-      'its settings may have it turned off, with graphics acceleration.';
-    super(sentences, { cause });
-  }
-}
-
 /** Why nothing is drawn at present. */
 export const contextLost = 'The graphics card has dropped this view; it returns when it can.';

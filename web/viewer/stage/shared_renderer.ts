@@ -11,9 +11,18 @@ import {
   type WebGLProgram,
   WebGLRenderer,
 } from 'three';
-import { NoWebGlError } from '../session/failure.js';
 import { nextFrame } from './next_frame.js';
 import type { DrawnPixels } from './picture_file.js';
+
+/** Thrown where nothing can be drawn. */
+export class NoWebGlError extends Error {
+  constructor(cause: unknown) {
+    const sentence =
+      'This view needs WebGL 2, which this browser does not offer; ' +
+      'its settings may have it turned off, with graphics acceleration.';
+    super(sentence, { cause });
+  }
+}
 
 /** Told when the graphics card drops the renderer's context, and when it is there again. */
 export interface ContextListener {
