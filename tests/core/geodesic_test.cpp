@@ -475,6 +475,28 @@ TEST(Windows, KeepLinesBesideAVirtualSourceOnTheLineToAnApex) {
   EXPECT_NEAR(field->distancesAt(both)[1], expected, 1e-12);
 }
 
+/// Two points at one distance from a corner of a regular tetrahedron, straight below it in two
+/// faces, so that the way between them around the corner is as long, and shorter than over it. It
+/// crosses an edge so near to its end that rounding at the other end, a share of the edge's length,
+/// must not hide it.
+TEST(Windows, FindTheWayAroundACornerThatIsVeryNear) {
+  const TriangleMesh mesh = shapes::tetrahedron().mesh();
+  const int corner = mesh.tail(0);
+  for (const double share : {1e-3, 1e-6, 1e-9, 1e-10}) {
+    std::vector<SurfacePoint> points;
+    for (const int h : mesh.fan(corner)) {
+      points.push_back({TriangleMesh::faceOf(h), Eigen::Vector3d::Constant(share)});
+      points.back().bary[h % 3] = 1 - 2 * share;
+    }
+    const double expected = share * std::sqrt(3) * mesh.length(0);
+    const auto field = inSlices(mesh, {points[0]}, Metric::kExact, 1L << 40);
+    for (const int other : {1, 2}) {
+      EXPECT_NEAR(field->nearest(points[other]).distance, expected, 1e-9 * expected) << share;
+      EXPECT_NEAR(lengthOf(mesh, field->path(0, points[other])), expected, 1e-9 * expected);
+    }
+  }
+}
+
 // --- Directions ----------------------------------------------------------------------------------
 
 /// In the plane they are known: whether the site lies in a face, on an edge or at a vertex.

@@ -150,11 +150,11 @@ inline void trim(Window& w, double length, const EdgeDistances& ends) {
   const Lanes atEnds = {ends.atTail, ends.atTip};
   const Lanes along = {w.x, length - w.x};  // the source, from each end towards the other one
   const Lanes lead = atEnds - w.sourceDistance + kDistanceTolerance * (atEnds + length);
-  const Lanes lead2 = lead * lead, distance2 = along * along + w.y * w.y;
   const Lanes approach = lead + along;
-  const Lanes meets = (distance2 - lead2) / (2 * approach);
-  const Lanes reach = distance2 <= lead2 ? (lead > 0.0 ? both(0) : both(kInfinity))
-                                         : (approach > 0.0 ? meets : both(kInfinity));
+  const Lanes excess = approach * (along - lead) + w.y * w.y;  // |source, end|² - lead²
+  const Lanes meets = excess / (2 * approach);
+  const Lanes reach = excess <= 0.0 ? (lead > 0.0 ? both(0) : both(kInfinity))
+                                    : (approach > 0.0 ? meets : both(kInfinity));
   w.begin = std::max(w.begin, reach[0]);
   w.end = std::min(w.end, length - reach[1]);
 }
