@@ -80,7 +80,7 @@ class WindowLists {
     if (page_.size() < capacity) {
       const size_t size = std::max(capacity, kPageSize);
       // Not make_unique_for_overwrite: the library of Emscripten 3.1 has none.
-      pages_.emplace_back(new Window[size]);
+      pages_.push_back(std::unique_ptr<Window[]>(new Window[size]));
       page_ = {pages_.back().get(), size};
     }
     Window* const block = page_.data();
