@@ -524,8 +524,10 @@ TEST(Diagram, InDetailAsksForAllLabelsThatAreNearestInAnElement) {
 TEST(Diagram, RefusesUnboundedDetailAndSitesThatAreNotCounted) {
   const auto mesh = shapes::grid(3, 3, 0.3, 1).mesh();
   const auto distances = finished(propagate(mesh, sampleUniform(mesh, 3, 1), Metric::kExact));
-  for (const int detail : {-1, DiagramOptions::kMostDetail + 1})
+  for (const int detail : {-1, DiagramOptions::kMostDetail + 1}) {
     EXPECT_THROW(traceDiagram(mesh, *distances, 3, {.detail = detail}), Error) << detail;
+    EXPECT_THROW(propagationShare({.detail = detail}), Error) << detail;
+  }
   EXPECT_THROW(traceDiagram(mesh, *distances, 2), Error);
   EXPECT_EQ(traceDiagram(mesh, *distances, 3).siteCount, 3);
 }

@@ -326,7 +326,9 @@ TEST(Dual, RefusesOtherSitesThanTheDiagrams) {
   const std::vector<SurfacePoint> few(sites.begin(), sites.end() - 1);
   std::vector<SurfacePoint> elsewhere = sites;
   elsewhere[3].face = mesh.faceCount();
-  for (const auto& others : {few, elsewhere}) {
+  std::vector<SurfacePoint> missing = sites;
+  missing[3] = {};
+  for (const auto& others : {few, elsewhere, missing}) {
     EXPECT_THROW(dualMesh(mesh, others, diagram), Error);
     EXPECT_THROW(findViolations(mesh, others, diagram), Error);
   }

@@ -133,7 +133,7 @@ std::unique_ptr<SlicedWork<Diagram>> startDiagram(const TriangleMesh& mesh,
 
 /// About the share of `propagate` in the time for distances and diagram, 0 … 1, to tell how far
 /// both together are. Measured on scans and mechanical parts; it is most of the time without
-/// `detail`, and little with it.
+/// `detail`, and little with it. Throws `Error(kInvalidArgument)` if `detail` is out of its range.
 double propagationShare(const DiagramOptions& options);
 
 /// How well a diagram keeps to its distances.

@@ -37,10 +37,10 @@ namespace gvd {
 /// `findViolations` has none.
 ///
 /// Here and below, `sites` are the sites of the diagram by label, with face -1 for a label without
-/// a site; throws `Error(kInvalidArgument)` if their number is not the diagram's, and
-/// `Error(kInvalidPoint)` if one is not on the mesh. All functions throw `Error(kInvalidArgument)`
-/// if the diagram has another number of faces than the mesh, or distances are those of another
-/// mesh. Costs as much as `partition`.
+/// a site; throws `Error(kInvalidArgument)` if their number is not the diagram's or a label with a
+/// region has none, and `Error(kInvalidPoint)` if one is not on the mesh. All functions throw
+/// `Error(kInvalidArgument)` if the diagram has another number of faces than the mesh, or distances
+/// are those of another mesh. Costs as much as `partition`.
 PolygonMesh dualMesh(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
                      const Diagram& diagram);
 

@@ -185,7 +185,8 @@ Diagram traceDiagram(const TriangleMesh& mesh, const DistanceField& distances, i
 }
 
 double propagationShare(const DiagramOptions& options) {
-  return options.detail == 0 ? 0.9 : 0.5 / (1 << options.detail);
+  const int detail = validDetail(options);
+  return detail == 0 ? 0.9 : 0.5 / (1 << detail);
 }
 
 PartialTracer::PartialTracer(const TriangleMesh& mesh, const DistanceField& distances,

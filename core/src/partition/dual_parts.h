@@ -69,12 +69,16 @@ auto fromRegions(const TriangleMesh& mesh, const Diagram& diagram, Make make) {
 }
 
 /// The sites of a diagram, with clean coordinates. Throws `Error(kInvalidArgument)` unless there is
-/// one site per label of the diagram, and `Error(kInvalidPoint)` if one is not on the mesh.
+/// an entry per label, with a site if the label has a region, and `Error(kInvalidPoint)` if a site
+/// is not on the mesh.
 inline std::vector<SurfacePoint> sitesOf(const TriangleMesh& mesh, const Diagram& diagram,
                                          std::span<const SurfacePoint> sites) {
   if (static_cast<int>(sites.size()) != diagram.siteCount)
     rejectArgument("the number of sites is " + std::to_string(sites.size()) +
                    ", not that of the diagram, " + std::to_string(diagram.siteCount));
+  for (int label = 0; label < diagram.siteCount; ++label)
+    if (sites[label].face < 0 && diagram.regionArea[label] > 0)
+      rejectArgument("label " + std::to_string(label) + " has a region, but no site");
   return allOnMesh(mesh, sites, "site ");
 }
 
