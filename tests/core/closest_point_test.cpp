@@ -26,7 +26,7 @@ double leastDistance(const TriangleMesh& mesh, const Vector3d& place) {
   for (int h = 0; h < mesh.halfedgeCount(); h += 3) {
     const std::array corners = {mesh.position(mesh.tail(h)), mesh.position(mesh.tail(h + 1)),
                                 mesh.position(mesh.tail(h + 2))};
-    const SurfacePoint p = {h / 3, nearestOnTriangle(place, corners)};
+    const SurfacePoint p = {h / 3, nearestOnTriangle(place, corners).bary};
     least = std::min(least, (mesh.position(p) - place).norm());
   }
   return least;

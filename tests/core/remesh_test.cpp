@@ -10,6 +10,7 @@
 
 #include "diagram_checks.h"
 #include "error_checks.h"
+#include "gvd/closest_point.h"
 #include "gvd/cvt.h"
 #include "gvd/dual.h"
 #include "gvd/error.h"
@@ -31,7 +32,7 @@ Vector3d randomPoint(shapes::Random& random) {
 TEST(TriangleTree, FindsWhatLookingAtEveryTriangleFinds) {
   shapes::Random random(1);
   for (const int count : {1, 2, 4, 5, 9, 200}) {
-    std::vector<TriangleTree::Triangle> triangles(count);
+    std::vector<SpaceTriangle> triangles(count);
     for (auto& triangle : triangles) {
       const Vector3d centre = randomPoint(random);
       for (Vector3d& corner : triangle) corner = centre + 0.2 * randomPoint(random);
@@ -43,24 +44,23 @@ TEST(TriangleTree, FindsWhatLookingAtEveryTriangleFinds) {
       const Vector3d p = 1.5 * randomPoint(random);
       double least = std::numeric_limits<double>::infinity();
       for (const auto& t : triangles) {
-        const Vector3d bary = nearestOnTriangle(p, t);
+        const Vector3d bary = nearestOnTriangle(p, t).bary;
         EXPECT_NEAR(bary.sum(), 1, 1e-12);
         EXPECT_GE(bary.minCoeff(), 0);
         least = std::min(least, (bary[0] * t[0] + bary[1] * t[1] + bary[2] * t[2] - p).norm());
       }
-      EXPECT_DOUBLE_EQ(tree.distance(p), least);
+      EXPECT_DOUBLE_EQ(std::sqrt(tree.nearest(p).squaredDistance), least);
     }
   }
-  const TriangleTree empty(std::vector<TriangleTree::Triangle>{});
-  EXPECT_EQ(empty.distance({0, 0, 0}), std::numeric_limits<double>::infinity());
+  const TriangleTree empty(std::vector<SpaceTriangle>{});
+  EXPECT_EQ(empty.nearest({0, 0, 0}).triangle, -1);
 }
 
 TEST(NearestOnTriangle, IsNotFartherThanAnySample) {
   shapes::Random random(2);
   for (int i = 0; i < 200; ++i) {
-    const TriangleTree::Triangle t = {randomPoint(random), randomPoint(random),
-                                      randomPoint(random)};
-    const Vector3d p = 2 * randomPoint(random), bary = nearestOnTriangle(p, t);
+    const SpaceTriangle t = {randomPoint(random), randomPoint(random), randomPoint(random)};
+    const Vector3d p = 2 * randomPoint(random), bary = nearestOnTriangle(p, t).bary;
     const double distance = (bary[0] * t[0] + bary[1] * t[1] + bary[2] * t[2] - p).norm();
     for (int a = 0; a <= 10; ++a)
       for (int b = 0; a + b <= 10; ++b)
@@ -77,11 +77,11 @@ TEST(NearestOnTriangle, OfAPointOnAThinTriangleIsThatPoint) {
       const Vector3d u = randomPoint(random).normalized();
       const Vector3d v = u.cross(randomPoint(random)).normalized();
       const Vector3d from = randomPoint(random);
-      TriangleTree::Triangle t = {from, from + u, from + random.uniform() * u + height * v};
+      SpaceTriangle t = {from, from + u, from + random.uniform() * u + height * v};
       std::rotate(t.begin(), t.begin() + i % 3, t.end());
       const double a = random.uniform(), b = (1 - a) * random.uniform();
       const Vector3d p = a * t[0] + b * t[1] + (1 - a - b) * t[2];
-      const Vector3d bary = nearestOnTriangle(p, t);
+      const Vector3d bary = nearestOnTriangle(p, t).bary;
       EXPECT_NEAR((bary[0] * t[0] + bary[1] * t[1] + bary[2] * t[2] - p).norm(), 0, 2e-15);
     }
   }
@@ -119,6 +119,49 @@ TEST(RemeshQuality, KnowsTheDistanceOfAnIcosahedronFromASphere) {
   const double depth = 1 - coarse.position({0, Vector3d::Constant(1.0 / 3)}).norm();
   EXPECT_NEAR(measureQuality(sphere, asPolygons(coarse)).hausdorff, depth, 0.02 * depth);
   EXPECT_NEAR(measureQuality(coarse, asPolygons(sphere)).hausdorff, depth, 0.02 * depth);
+}
+
+/// The largest distance of a fine grid of points on one mesh from the other.
+double farthestSample(const TriangleMesh& from, const TriangleMesh& to) {
+  constexpr int kRows = 40;
+  const ClosestPointQuery query(to);
+  double farthest = 0;
+  for (int f = 0; f < from.faceCount(); ++f)
+    for (int a = 0; a <= kRows; ++a)
+      for (int b = 0; a + b <= kRows; ++b) {
+        const Vector3d bary = Vector3d(a, b, kRows - a - b) / kRows;
+        farthest = std::max(farthest, query.closestTo(from.position({f, bary})).distance);
+      }
+  return farthest;
+}
+
+/// The farthest points were on sides of the twelve-sided ends, half as far again as any sample.
+TEST(RemeshQuality, FindsTheFarthestPointOfAFaceWithManyTrianglesBesideIt) {
+  const TriangleMesh surface = shapes::cylinder(12, 1).mesh();
+  for (const int count : {20, 60, 300}) {
+    const RepairedSites valid = repair(surface, sampleUniform(surface, count, 3), Metric::kExact);
+    const PolygonMesh dual = dualMesh(surface, valid.sites, valid.diagram);
+    std::vector<double> positions;
+    for (const Vector3d& p : dual.positions) positions.insert(positions.end(), p.begin(), p.end());
+    std::vector<int> triangles;
+    for (const auto& t : triangulate(dual).triangles)
+      triangles.insert(triangles.end(), t.begin(), t.end());
+    const TriangleMesh remesh(positions, triangles);
+    const double sampled =
+        std::max(farthestSample(surface, remesh), farthestSample(remesh, surface));
+    EXPECT_GE(measureQuality(surface, dual).hausdorff, 0.99 * sampled) << count << " sites";
+    EXPECT_LE(measureQuality(surface, dual).hausdorff, 1.02 * sampled) << count << " sites";
+  }
+}
+
+TEST(RemeshQuality, OfPositionsThatAreNotFiniteIsInfinitelyFar) {
+  const TriangleMesh mesh = shapes::icosphere(1).mesh();
+  for (const double fault :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    PolygonMesh remesh = asPolygons(mesh);
+    remesh.positions[5].y() = fault;
+    EXPECT_EQ(measureQuality(mesh, remesh).hausdorff, std::numeric_limits<double>::infinity());
+  }
 }
 
 TEST(RemeshQuality, CountsNeighboursOfVerticesInsideOnly) {

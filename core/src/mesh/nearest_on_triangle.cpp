@@ -7,10 +7,11 @@
 #include "gvd/surface_point.h"
 
 namespace gvd {
+namespace {
 
-Eigen::Vector3d nearestOnTriangle(const Eigen::Vector3d& p,
-                                  const std::array<Eigen::Vector3d, 3>& corners) {
-  using Eigen::Vector3d;
+using Eigen::Vector3d;
+
+Vector3d nearestBary(const Vector3d& p, const SpaceTriangle& corners) {
   const auto squaredSide = [&](int i) {
     return (corners[cornerAfter(i)] - corners[i]).squaredNorm();
   };
@@ -43,6 +44,14 @@ Eigen::Vector3d nearestOnTriangle(const Eigen::Vector3d& p,
     }
   }
   return best;
+}
+
+}  // namespace
+
+NearestPoint nearestOnTriangle(const Vector3d& p, const SpaceTriangle& corners) {
+  const Vector3d bary = nearestBary(p, corners);
+  const Vector3d point = bary[0] * corners[0] + bary[1] * corners[1] + bary[2] * corners[2];
+  return {bary, (point - p).squaredNorm()};
 }
 
 }  // namespace gvd

@@ -2,22 +2,20 @@
 #include "mesh/triangle_tree.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <utility>
-
-#include "mesh/nearest_on_triangle.h"
 
 namespace gvd {
 namespace {
 
 constexpr int kLeafSize = 4;
 
-Eigen::Vector3d sumOf(const TriangleTree::Triangle& t) { return t[0] + t[1] + t[2]; }
+Eigen::Vector3d sumOf(const SpaceTriangle& t) { return t[0] + t[1] + t[2]; }
 
 }  // namespace
 
-TriangleTree::TriangleTree(std::vector<Triangle> triangles) : triangles_(std::move(triangles)) {}
+TriangleTree::TriangleTree(std::vector<SpaceTriangle> triangles)
+    : triangles_(std::move(triangles)) {}
 
 TriangleTree::TriangleTree(const TriangleMesh& mesh) : mesh_(&mesh) {}
 
@@ -80,12 +78,10 @@ TriangleTree::Nearest TriangleTree::nearest(const Eigen::Vector3d& p) const {
     const Node& node = nodes_[index];
     if (node.second < 0) {
       for (int i = node.first; i < node.last; ++i) {
-        const Triangle& t = triangles_[order_[i]];
-        const Eigen::Vector3d bary = nearestOnTriangle(p, t);
-        const double squared = (bary[0] * t[0] + bary[1] * t[1] + bary[2] * t[2] - p).squaredNorm();
-        if (squared < nearest.squaredDistance ||
-            (squared == nearest.squaredDistance && order_[i] < nearest.triangle))
-          nearest = {order_[i], bary, squared};
+        const NearestPoint here = nearestOnTriangle(p, triangles_[order_[i]]);
+        if (here.squaredDistance < nearest.squaredDistance ||
+            (here.squaredDistance == nearest.squaredDistance && order_[i] < nearest.triangle))
+          nearest = {here, order_[i]};
       }
       continue;
     }
@@ -95,10 +91,6 @@ TriangleTree::Nearest TriangleTree::nearest(const Eigen::Vector3d& p) const {
     open.push_back(near);
   }
   return nearest;
-}
-
-double TriangleTree::distance(const Eigen::Vector3d& p) const {
-  return std::sqrt(nearest(p).squaredDistance);
 }
 
 }  // namespace gvd

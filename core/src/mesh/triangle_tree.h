@@ -2,21 +2,18 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <array>
-#include <limits>
 #include <vector>
 
 #include "base/sliced_loop.h"
 #include "gvd/triangle_mesh.h"
+#include "mesh/nearest_on_triangle.h"
 
 namespace gvd {
 
 /// A bounding box tree of triangles in space.
 class TriangleTree {
  public:
-  using Triangle = std::array<Eigen::Vector3d, 3>;
-
-  explicit TriangleTree(std::vector<Triangle> triangles);
+  explicit TriangleTree(std::vector<SpaceTriangle> triangles);
   /// The faces of a mesh, which must outlive this.
   explicit TriangleTree(const TriangleMesh& mesh);
   /// Builds the tree, in slices of one node or more; true when the tree can be used. O(n log n).
@@ -24,17 +21,16 @@ class TriangleTree {
   /// The share of the building that is done, 0 … 1.
   double progress() const { return sequence_.progress(); }
 
-  /// The triangle nearest to a given point, -1 if there is none, and its nearest point.
-  struct Nearest {
-    int triangle = -1;
-    Eigen::Vector3d bary = Eigen::Vector3d::Zero();
-    double squaredDistance = std::numeric_limits<double>::infinity();
-  };
-  /// Of triangles at exactly the same distance, the first.
-  Nearest nearest(const Eigen::Vector3d& p) const;
+  /// All triangles, in the order given.
+  const std::vector<SpaceTriangle>& triangles() const { return triangles_; }
 
-  /// The distance of a point from the nearest triangle; infinite if there is none.
-  double distance(const Eigen::Vector3d& p) const;
+  /// The triangle nearest to a given point, -1 if there is none, and its nearest point.
+  struct Nearest : NearestPoint {
+    int triangle = -1;
+  };
+  /// Of triangles at exactly the same distance, the first. -1 also if no squared distance is a
+  /// finite number.
+  Nearest nearest(const Eigen::Vector3d& p) const;
 
  private:
   /// Contains the triangles `first` … `last - 1` of `order_`. Its children, if it has any, are the
@@ -56,7 +52,7 @@ class TriangleTree {
 
   const TriangleMesh* mesh_ = nullptr;  ///< null for a list of triangles
   SlicedSequence sequence_;
-  std::vector<Triangle> triangles_;
+  std::vector<SpaceTriangle> triangles_;
   std::vector<int> order_;  ///< triangles; those of a node are consecutive
   std::vector<Node> nodes_;
   std::vector<Task> tasks_;  ///< the last one is next

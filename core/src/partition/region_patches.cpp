@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "base/sorting.h"
-#include "mesh/nearest_on_triangle.h"
 
 namespace gvd {
 namespace {
@@ -55,7 +54,7 @@ bool PatchMeasuring::step(long& budget) {
       [&] { return measureAll(budget); });
 }
 
-std::array<Vector3d, 3> PatchMeasuring::cornersOf(int t) const {
+SpaceTriangle PatchMeasuring::cornersOf(int t) const {
   const auto& [a, b, c] = partition_.triangles[t];
   return {partition_.positions[a], partition_.positions[b], partition_.positions[c]};
 }
@@ -84,7 +83,7 @@ bool PatchMeasuring::measure(RegionPatch& region, long& budget) {
   return measuring_.run(
       [&] {
         sums_ = {};
-        nearest_ = {first};
+        nearest_ = {{Vector3d::Unit(0)}, first};
         nextToSee_ = first;
       },
       forTriangles(8, [&](int t) { addArea(t, region); }),
@@ -189,17 +188,14 @@ double PatchMeasuring::squaredDistanceToCentroid(int t, const RegionPatch& regio
 /// bounds the distance, so that few whole triangles have to be looked at.
 void PatchMeasuring::offerFirstCorner(int t, const RegionPatch& region) {
   const double distance = squaredDistanceToCentroid(t, region);
-  if (distance < nearest_.squaredDistance) nearest_ = {t, Vector3d::Unit(0), distance};
+  if (distance < nearest_.squaredDistance) nearest_ = {{Vector3d::Unit(0), distance}, t};
 }
 
 void PatchMeasuring::offerTriangle(int t, const RegionPatch& region) {
   // (a + b)² ≤ 2 (a² + b²)
   if (squaredDistanceToCentroid(t, region) > 2 * (nearest_.squaredDistance + sums_.reach)) return;
-  const auto corners = cornersOf(t);
-  const Vector3d here = nearestOnTriangle(region.centroid, corners);
-  const Vector3d place = here[0] * corners[0] + here[1] * corners[1] + here[2] * corners[2];
-  const double distance = (place - region.centroid).squaredNorm();
-  if (distance < nearest_.squaredDistance) nearest_ = {t, here, distance};
+  const NearestPoint here = nearestOnTriangle(region.centroid, cornersOf(t));
+  if (here.squaredDistance < nearest_.squaredDistance) nearest_ = {here, t};
 }
 
 int nextOnOutline(const Partition& partition, int h) {

@@ -2,15 +2,14 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <span>
 #include <vector>
 
 #include "base/sliced_loop.h"
-#include "gvd/geodesic.h"
 #include "gvd/partition.h"
 #include "gvd/triangle_mesh.h"
 #include "mesh/corners.h"
+#include "mesh/nearest_on_triangle.h"
 
 namespace gvd {
 
@@ -34,15 +33,13 @@ class PatchMeasuring {
     int outlineSteps = 0, innerVertices = 0;
   };
   /// The point of a region that is nearest to its centroid.
-  struct Nearest {
+  struct Nearest : NearestPoint {
     int triangle = 0;
-    Eigen::Vector3d bary = Eigen::Vector3d::Unit(0);
-    double squaredDistance = kInfinity;
   };
 
   int tail(int h) const { return tailOf(partition_.triangles, h); }
   int tip(int h) const { return tipOf(partition_.triangles, h); }
-  std::array<Eigen::Vector3d, 3> cornersOf(int t) const;
+  SpaceTriangle cornersOf(int t) const;
   double squaredDistanceToCentroid(int t, const RegionPatch& region) const;
   RegionPatch& patchOf(int label);
 

@@ -15,15 +15,23 @@
 #include "gvd/remesh.h"
 #include "gvd/surface_point.h"
 #include "mesh/triangle_tree.h"
+#include "partition/hausdorff.h"
 
 namespace gvd {
 namespace {
 
 using Eigen::Vector3d;
-using Triangles = std::vector<TriangleTree::Triangle>;
+using Triangles = std::vector<SpaceTriangle>;
+
+Triangles inSpace(const PolygonMesh& mesh, const PolygonTriangles& cut) {
+  Triangles triangles;
+  for (const auto& [a, b, c] : cut.triangles)
+    triangles.push_back({mesh.positions[a], mesh.positions[b], mesh.positions[c]});
+  return triangles;
+}
 
 /// The least angle of a triangle, in degrees; 0 if it has no area.
-double leastAngle(const TriangleTree::Triangle& t) {
+double leastAngle(const SpaceTriangle& t) {
   double least = std::numbers::pi;
   for (int i = 0; i < 3; ++i) {
     const Vector3d u = t[cornerAfter(i)] - t[i], v = t[cornerBefore(i)] - t[i];
@@ -64,22 +72,34 @@ void measureValences(const PolygonTriangles& cut, int vertexCount, RemeshQuality
   if (inside > 0) quality.regularShare = static_cast<double>(regular) / inside;
 }
 
+double meanSide(const Triangles& triangles) {
+  double sum = 0;
+  for (const auto& [a, b, c] : triangles) sum += (b - a).norm() + (c - b).norm() + (a - c).norm();
+  return sum / (3 * static_cast<double>(triangles.size()));
+}
+
 class QualityMeasuring final : public SlicedWork<RemeshQuality> {
  public:
   QualityMeasuring(const TriangleMesh& surface, std::unique_ptr<SlicedWork<PolygonMesh>> remeshing)
-      : surface_(surface), remeshing_(std::move(remeshing)), fine_(surface) {}
+      : surface_(surface), remeshing_(std::move(remeshing)), surfaceTree_(surface) {}
+  QualityMeasuring(const TriangleMesh& surface, const PolygonMesh& remesh)
+      : surface_(surface), surfaceTree_(surface) {
+    measureRemesh(remesh);
+  }
 
   bool advance(long budget) override {
-    const int vertices = surface_.vertexCount(), faces = surface_.faceCount();
     return sequence_.run(
-        [&] { return remeshing_->step(budget); }, [&] { measureRemesh(remeshing_->take()); },
-        [&] { return runPart(coarse_, budget, triangles_); }, [&] { return fine_.step(budget); },
-        forEach(vertices, budget, 1, [&](int v) { note(coarse_->distance(surface_.position(v))); }),
-        forEach(faces, budget, 1,
-                [&](int f) {
-                  note(coarse_->distance(surface_.position({f, Vector3d::Constant(1.0 / 3)})));
-                }),
-        [&] { return visitRemesh(budget); });
+        [&] { return !remeshing_ || remeshing_->step(budget); },
+        [&] {
+          if (remeshing_) measureRemesh(remeshing_->take());
+        },
+        [&] { return remeshTree_->step(budget); }, [&] { return surfaceTree_.step(budget); },
+        [&] { return runPart(fromRemesh_, budget, *remeshTree_, surfaceTree_, 0., resolution_); },
+        [&] {
+          return runPart(fromSurface_, budget, surfaceTree_, *remeshTree_, fromRemesh_->distance(),
+                         resolution_);
+        },
+        [&] { quality_.hausdorff = fromSurface_->distance(); });
   }
   double progress() const override { return sequence_.progress(); }
   RemeshQuality result() override { return quality_; }
@@ -87,55 +107,24 @@ class QualityMeasuring final : public SlicedWork<RemeshQuality> {
  private:
   void measureRemesh(const PolygonMesh& remesh) {
     const PolygonTriangles cut = triangulate(remesh);
-    for (const auto& [a, b, c] : cut.triangles)
-      triangles_.push_back({remesh.positions[a], remesh.positions[b], remesh.positions[c]});
-    measureAngles(triangles_, quality_);
+    Triangles triangles = inSpace(remesh, cut);
+    measureAngles(triangles, quality_);
     measureValences(cut, static_cast<int>(remesh.positions.size()), quality_);
-  }
-
-  void note(double distance) { quality_.hausdorff = std::max(quality_.hausdorff, distance); }
-
-  /// Notes the distances of a regular grid of points on each triangle, row by row. The grid is no
-  /// wider than the surface's mean edge, or has 64 rows.
-  bool visitRemesh(long& budget) {
-    constexpr int kMostSteps = 64;
-    for (; triangle_ < triangles_.size(); ++triangle_, row_ = 0) {
-      const auto& [a, b, c] = triangles_[triangle_];
-      const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-      const int steps = static_cast<int>(
-          std::clamp(std::ceil(longest / surface_.meanEdgeLength()), 1.0, double{kMostSteps}));
-      for (; row_ <= steps; ++row_) {
-        if (budget <= 0) return false;
-        for (int k = 0; row_ + k <= steps; ++k, --budget)
-          note(fine_.distance((row_ * a + k * b + (steps - row_ - k) * c) / steps));
-      }
-    }
-    return true;
+    // Not zero, where the remesh is as small as a point.
+    const double mean = surface_.meanEdgeLength();
+    resolution_ = std::max(std::min(mean, meanSide(triangles)), mean / 64);
+    remeshTree_.emplace(std::move(triangles));
   }
 
   const TriangleMesh& surface_;
-  std::unique_ptr<SlicedWork<PolygonMesh>> remeshing_;
+  std::unique_ptr<SlicedWork<PolygonMesh>> remeshing_;  ///< null if the remesh is known
 
   SlicedSequence sequence_;
-  Triangles triangles_;  ///< of the remesh
-  std::optional<TriangleTree> coarse_;
-  TriangleTree fine_;         ///< of the surface
-  std::size_t triangle_ = 0;  ///< of the remesh, to be visited next
-  int row_ = 0;               ///< of that triangle
+  std::optional<TriangleTree> remeshTree_;
+  TriangleTree surfaceTree_;  ///< of the surface
+  double resolution_ = 0;     ///< the shorter mean edge of the two
+  std::optional<OneSidedHausdorff> fromRemesh_, fromSurface_;
   RemeshQuality quality_;
-};
-
-/// Work whose result is known already.
-template <class Result>
-class Ready final : public SlicedWork<Result> {
- public:
-  explicit Ready(Result result) : result_(std::move(result)) {}
-  bool advance(long /*budget*/) override { return true; }
-  double progress() const override { return 1; }
-  Result result() override { return std::move(result_); }
-
- private:
-  Result result_;
 };
 
 }  // namespace
@@ -146,7 +135,7 @@ std::unique_ptr<SlicedWork<RemeshQuality>> startQuality(
 }
 
 RemeshQuality measureQuality(const TriangleMesh& surface, const PolygonMesh& remesh) {
-  return finished(startQuality(surface, std::make_unique<Ready<PolygonMesh>>(remesh)));
+  return finished<RemeshQuality>(std::make_unique<QualityMeasuring>(surface, remesh));
 }
 
 }  // namespace gvd

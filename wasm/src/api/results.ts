@@ -388,7 +388,7 @@ export interface RemeshQuality {
   maxValence: number;
   /** The share of inner vertices with 6 neighbours. */
   regularShare: number;
-  /** The Hausdorff distance of dual and surface, by samples, in the input's units. */
+  /** The Hausdorff distance of dual and surface, in the input's units: at most 1 % too low. */
   hausdorff: number;
 }
 
