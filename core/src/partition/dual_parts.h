@@ -96,6 +96,9 @@ std::vector<Finding> inspect(const TriangleMesh& mesh, std::span<const SurfacePo
                              const Diagram& diagram, const Partition& partition,
                              const RegionComplex& complex);
 
+/// `RemeshQuality::minAngle` alone.
+double minAngleOf(const PolygonMesh& remesh);
+
 /// Throws unless so many sites may be added by `repair` or `remesh`.
 void requireMaxAdded(int count);
 

@@ -35,6 +35,25 @@ RepairedSites stateOf(const Cvt& cvt, int added) {
   return {{cvt.sites().begin(), cvt.sites().end()}, added, cvt.diagram()};
 }
 
+/// Why a dual is not valid, or how good it is.
+struct DualVerdict {
+  std::vector<Finding> findings;
+  double minAngle = 0;  ///< `RemeshQuality::minAngle`, if there are no findings
+};
+
+/// The verdict on the dual of some sites, which must outlive the work.
+std::unique_ptr<SlicedWork<DualVerdict>> startVerdict(const TriangleMesh& mesh,
+                                                      const RepairedSites& of) {
+  return fromRegions(mesh, of.diagram,
+                     [&mesh, sites = sitesOf(mesh, of.diagram, of.sites), &diagram = of.diagram](
+                         const Partition& partition, const RegionComplex& complex) {
+                       DualVerdict verdict{inspect(mesh, sites, diagram, partition, complex)};
+                       if (verdict.findings.empty())
+                         verdict.minAngle = minAngleOf(buildDual(mesh, sites, partition, complex));
+                       return verdict;
+                     });
+}
+
 /// Moves some sites towards the centroids of their regions, a step of Lloyd's method at a time, as
 /// long as the dual stays valid and its least angle grows. Steps of all sites would soon break the
 /// dual, and so may these: a site of a violation then stays where it is, and the others try again.
@@ -52,19 +71,23 @@ class Settling final : public SlicedWork<RepairedSites> {
 
   bool advance(long budget) override {
     if (isOver_ || movable_.empty()) return true;
-    const bool isStepDone = step_.run(
-        [&] { return keptAngle_ || measure(kept_, keptAngle_, budget); },
-        [&] { cvt_.emplace(mesh_, kept_.sites, optionsOfStep()); },
-        [&] {
-          cvt_->step(budget);
-          return cvt_->isDone();
-        },
-        [&] {
-          moved_ = stateOf(*cvt_, kept_.added);
-          violations_ = startViolations(mesh_, moved_.sites, moved_.diagram);
-        },
-        [&] { return violations_->step(budget); }, [&] { holdBack(violations_->take()); },
-        [&] { return !isValid_ || measure(moved_, movedAngle_, budget); }, [&] { keepBetter(); });
+    if (!keptAngle_) {
+      if (!verdict_) verdict_ = startVerdict(mesh_, kept_);
+      if (!verdict_->step(budget)) return false;
+      keptAngle_ = verdict_->take().minAngle;
+      return false;
+    }
+    const bool isStepDone =
+        step_.run([&] { cvt_.emplace(mesh_, kept_.sites, optionsOfStep()); },
+                  [&] {
+                    cvt_->step(budget);
+                    return cvt_->isDone();
+                  },
+                  [&] {
+                    moved_ = stateOf(*cvt_, kept_.added);
+                    verdict_ = startVerdict(mesh_, moved_);
+                  },
+                  [&] { return verdict_->step(budget); }, [&] { judge(verdict_->take()); });
     if (!isStepDone) return false;
     step_ = {};
     isOver_ = isOver_ || ++stepCount_ == kMostSettlings;
@@ -88,33 +111,20 @@ class Settling final : public SlicedWork<RepairedSites> {
     return options;
   }
 
-  /// Finds the least angle of a remesh.
-  bool measure(const RepairedSites& of, std::optional<double>& angle, long budget) {
-    if (!quality_) quality_ = startQuality(mesh_, startDualMesh(mesh_, of.sites, of.diagram));
-    if (!quality_->step(budget)) return false;
-    angle = quality_->take().minAngle;
-    quality_.reset();
-    return true;
-  }
-
-  /// If there are violations, their sites must not move; if none of these has moved, the next step
-  /// would be the same.
-  void holdBack(const std::vector<Violation>& violations) {
-    isValid_ = violations.empty();
-    bool isHeldBack = false;
-    for (const Violation& violation : violations)
-      for (const int label : violation.labels) isHeldBack |= std::erase(movable_, label) > 0;
-    isOver_ = !isValid_ && !isHeldBack;
-  }
-
-  void keepBetter() {
-    if (!isValid_) return;
-    if (*movedAngle_ <= *keptAngle_) {
-      isOver_ = true;
+  /// Keeps the moved sites if their dual is valid and better than the one before. The sites of
+  /// violations must not move any more; if none of them has moved, the next step would be the same.
+  void judge(const DualVerdict& verdict) {
+    if (verdict.findings.empty()) {
+      isOver_ = verdict.minAngle <= *keptAngle_;
+      if (isOver_) return;
+      kept_ = std::move(moved_);
+      keptAngle_ = verdict.minAngle;
       return;
     }
-    kept_ = std::move(moved_);
-    keptAngle_ = movedAngle_;
+    isOver_ = true;
+    for (const Finding& finding : verdict.findings)
+      for (const int label : finding.violation.labels)
+        if (std::erase(movable_, label) > 0) isOver_ = false;
   }
 
   const TriangleMesh& mesh_;
@@ -124,10 +134,8 @@ class Settling final : public SlicedWork<RepairedSites> {
   SlicedSequence step_;
   int stepCount_ = 0;
   std::optional<Cvt> cvt_;
-  std::unique_ptr<SlicedWork<std::vector<Violation>>> violations_;
-  std::unique_ptr<SlicedWork<RemeshQuality>> quality_;
-  std::optional<double> keptAngle_, movedAngle_;
-  bool isValid_ = false;  ///< the dual of `moved_`
+  std::unique_ptr<SlicedWork<DualVerdict>> verdict_;
+  std::optional<double> keptAngle_;  ///< the least of the dual of `kept_`
   bool isOver_ = false;
 };
 

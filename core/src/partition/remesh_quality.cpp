@@ -15,6 +15,7 @@
 #include "gvd/remesh.h"
 #include "gvd/surface_point.h"
 #include "mesh/triangle_tree.h"
+#include "partition/dual_parts.h"
 #include "partition/hausdorff.h"
 
 namespace gvd {
@@ -128,6 +129,12 @@ class QualityMeasuring final : public SlicedWork<RemeshQuality> {
 };
 
 }  // namespace
+
+double minAngleOf(const PolygonMesh& remesh) {
+  RemeshQuality quality;
+  measureAngles(inSpace(remesh, triangulate(remesh)), quality);
+  return quality.minAngle;
+}
 
 std::unique_ptr<SlicedWork<RemeshQuality>> startQuality(
     const TriangleMesh& surface, std::unique_ptr<SlicedWork<PolygonMesh>> remeshing) {
