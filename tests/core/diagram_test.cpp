@@ -470,6 +470,31 @@ double meanErrorOfSegments(const TriangleMesh& mesh, const checks::Traced& trace
   return sum / count;
 }
 
+/// Around a cone all triangles are alike: when the part of one that keeps a whole side is cut, the
+/// two diagonals are equally long, and rounding chose one. Areas changed by 5e-6.
+TEST(Detail, DoesNotDependOnTheFirstCornerOfATriangle) {
+  const shapes::Shape cone = shapes::vertexFan(8, 4);
+  const TriangleMesh mesh = cone.mesh();
+  const auto sites = sampleUniform(mesh, 9, 1);
+  for (const int first : {1, 2}) {
+    shapes::Shape turned = cone;
+    auto turnedSites = sites;
+    for (int t = 0; t < cone.faceCount(); t += 2)
+      for (int i = 0; i < 3; ++i)
+        turned.triangles[3 * t + i] = cone.triangles[3 * t + (i + first) % 3];
+    for (SurfacePoint& p : turnedSites)
+      if (p.face % 2 == 0) std::rotate(p.bary.begin(), p.bary.begin() + first, p.bary.end());
+    const TriangleMesh turnedMesh = turned.mesh();
+    for (const int detail : {1, 2, 3}) {
+      const auto areas = trace(mesh, sites, Metric::kExact, detail).diagram.regionArea;
+      const auto turnedAreas =
+          trace(turnedMesh, turnedSites, Metric::kExact, detail).diagram.regionArea;
+      for (std::size_t l = 0; l < sites.size(); ++l)
+        EXPECT_NEAR(turnedAreas[l], areas[l], 1e-12) << "detail " << detail << ", site " << l;
+    }
+  }
+}
+
 TEST(Diagram, InDetailIsFineOnLongThinFacesToo) {
   const auto mesh = shapes::mechanicalShape("plate with nine round holes").mesh();
   const auto sites = sampleUniform(mesh, 12, 3);

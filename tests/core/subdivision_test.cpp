@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -39,6 +41,35 @@ Vector3d areaVector(const Shape& shape, int t) {
   const int* const v = &shape.triangles[3 * t];
   const Vector3d a = shape.position(v[0]);
   return (shape.position(v[1]) - a).cross(shape.position(v[2]) - a) / 2;
+}
+
+/// Of an isosceles triangle with two long sides; rounding chose between equal diagonals.
+TEST(Subdivision, DoesNotDependOnTheFirstCorner) {
+  shapes::Random random(1);
+  for (int i = 0; i < 20; ++i) {
+    const double angle = 6 * random.uniform();
+    const Vector3d x(std::cos(angle), std::sin(angle), 0), y(-x.y(), x.x(), 0);
+    Shape shape;
+    for (const Vector3d& p : {Vector3d(-0.3 * x), Vector3d(0.3 * x), Vector3d(y)})
+      shape.addVertex(p);
+    const auto isFromFirst = [&](int a, int b, int c) {
+      const auto parts = subdivide(shape.positions, {{a, b, c}}, {.maxEdge = 0.6});
+      EXPECT_EQ(parts.triangles.size(), 9);
+      for (int t = 0; t < 9; t += 3) {
+        const std::array part = {parts.triangles[t], parts.triangles[t + 1],
+                                 parts.triangles[t + 2]};
+        const bool hasBoth = std::count(part.begin(), part.end(), 0) > 0 &&
+                             std::count(part.begin(), part.end(), 1) > 0;
+        if (!hasBoth) continue;
+        const int middle = *std::max_element(part.begin(), part.end());
+        return parts.ends[middle - 3] == std::array{1, 2};
+      }
+      return false;
+    };
+    EXPECT_TRUE(isFromFirst(0, 1, 2)) << i;
+    EXPECT_TRUE(isFromFirst(1, 2, 0)) << i;
+    EXPECT_TRUE(isFromFirst(2, 0, 1)) << i;
+  }
 }
 
 TEST(Subdivision, KeepsTheSurfaceAndItsTopology) {

@@ -94,8 +94,8 @@ void Elements::split(const TriangleMesh& mesh, int element, const std::array<int
   const int b = cornerAfter(a), c = cornerBefore(a), ab = 3 + a, bc = 3 + b, ca = 3 + c;
   if (wholeCount == 1) {
     const auto sides = squaredSides(mesh, face[element]);
-    const bool isFromA = squaredDistance(place.col(a), place.col(bc), sides) <=
-                         squaredDistance(place.col(b), place.col(ca), sides);
+    const bool isFromA = isFirstDiagonalTaken(squaredDistance(place.col(a), place.col(bc), sides),
+                                              squaredDistance(place.col(b), place.col(ca), sides));
     addPart({c, ca, bc});
     addPart({a, b, isFromA ? bc : ca});
     addPart({isFromA ? a : b, bc, ca});

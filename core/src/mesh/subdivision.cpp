@@ -18,6 +18,7 @@
 #include "base/sliced_loop.h"
 #include "gvd/surface_point.h"
 #include "mesh/given_triangles.h"
+#include "mesh/surface_geometry.h"
 
 namespace gvd {
 namespace {
@@ -126,7 +127,8 @@ class Subdivision final : public SlicedWork<SubdividedTriangles> {
       push({Part{a, ab, c}, Part{ab, b, c}});
     } else if (splits == 2) {
       const Corner bc = halve(b, c), ca = halve(c, a);
-      const bool isFromA = (bc.place - a.place).norm() <= (ca.place - b.place).norm();
+      const bool isFromA = isFirstDiagonalTaken((bc.place - a.place).squaredNorm(),
+                                                (ca.place - b.place).squaredNorm());
       push({Part{a, b, isFromA ? bc : ca}, Part{isFromA ? a : b, bc, ca}, Part{ca, bc, c}});
     } else {
       const Corner ab = halve(a, b), bc = halve(b, c), ca = halve(c, a);

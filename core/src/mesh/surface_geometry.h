@@ -63,4 +63,12 @@ inline double interpolationExcess(const Eigen::Vector3d& bary, const std::array<
   return bary[0] * bary[1] * sides[0] + bary[1] * bary[2] * sides[1] + bary[2] * bary[0] * sides[2];
 }
 
+/// Whether a quadrangle is cut along the first of its diagonals, given their squared lengths: the
+/// shorter one, or the first if they are equal but for rounding, so that the choice does not depend
+/// on where the numbering of a triangle's corners begins.
+inline bool isFirstDiagonalTaken(double first, double second) {
+  constexpr double kRounding = 1e-12;  // of a difference of coordinates: some thousand 2^-53
+  return first <= (1 + kRounding) * second;
+}
+
 }  // namespace gvd
