@@ -146,6 +146,7 @@ class LocatedPoints final : public PointLookup {
 };
 
 /// `DiagramChange`: inserts, removes or moves a site. The first change makes the `DynamicDiagram`.
+/// The worst regions follow, if there are any.
 class SiteChanging final : public SlicedWork<Record> {
  public:
   /// Without a label, inserts the site; without a site, removes that of the label. The diagram must
@@ -158,19 +159,24 @@ class SiteChanging final : public SlicedWork<Record> {
       if (!makeDynamic(budget)) return false;
       start();
     }
-    return change_->step(budget);
+    if (!following_) {
+      if (!change_->step(budget)) return false;
+      voronoi_.traced.reset();
+      changed_ = change_->take();
+      regions_ = std::exchange(voronoi_.worstRegions, std::nullopt);
+      if (!regions_) return true;
+      following_ = regions_->startFollow(changed_);
+    }
+    if (!following_->step(budget)) return false;
+    voronoi_.worstRegions = std::move(regions_);
+    return true;
   }
   double progress() const override {
     if (making_) return making_->progress() / 2;
-    const double own = change_ ? change_->progress() : 0;
+    const double own = following_ ? 1 : change_ ? change_->progress() : 0;
     return wasMade_ ? (1 + own) / 2 : own;
   }
-  Record result() override {
-    voronoi_.traced.reset();
-    DiagramChange change = change_->take();
-    if (voronoi_.worstRegions) voronoi_.worstRegions->follow(change);
-    return changeRecord(voronoi_.mesh(), *label_, std::move(change));
-  }
+  Record result() override { return changeRecord(voronoi_.mesh(), *label_, std::move(changed_)); }
 
  private:
   /// Makes the `DynamicDiagram` if there is none yet; true when it is there.
@@ -200,6 +206,10 @@ class SiteChanging final : public SlicedWork<Record> {
   std::unique_ptr<SlicedWork<DynamicDiagram>> making_;
   bool wasMade_ = false;
   std::unique_ptr<SlicedWork<DiagramChange>> change_;
+  DiagramChange changed_;
+  std::optional<WorstRegions>
+      regions_;  ///< the diagram's while they follow; lost if that is dropped
+  std::unique_ptr<SlicedSteps> following_;
 };
 
 Answer* changeAnswer(VoronoiHandle& voronoi, std::optional<int> label,

@@ -358,9 +358,17 @@ TEST(WorstRegions, FollowADiagramOfWhichSitesComeGoAndMove) {
     const auto places = sampleUniform(mesh, 30, 2);
     for (int i = 0; i < 30; ++i) {
       // Two come, one goes, one moves.
-      regions.follow(i % 4 < 2    ? diagram.insertSite(places[i])
-                     : i % 4 == 2 ? diagram.removeSite(i / 4)
-                                  : diagram.moveSite(i / 4 + 1, places[i]));
+      const DiagramChange change = i % 4 < 2    ? diagram.insertSite(places[i])
+                                   : i % 4 == 2 ? diagram.removeSite(i / 4)
+                                                : diagram.moveSite(i / 4 + 1, places[i]);
+      if (i % 3 == 0) {
+        regions.follow(change);
+      } else {
+        const auto steps = regions.startFollow(change);
+        int count = 1;
+        while (!steps->step(1)) ++count;
+        EXPECT_GT(count, 10);
+      }
       const WorstRegions anew(mesh, diagram.distances(), diagram.diagram(), worst);
       EXPECT_NEAR((mesh.position(regions.point()) - mesh.position(anew.point())).norm(), 0,
                   1e-9 * mesh.boundingDiagonal())

@@ -125,6 +125,9 @@ class WorstRegions {
   /// Follows a change of the diagram; `distances` must have changed already. Takes time for the
   /// regions in `DiagramChange::labels`, and a little for each label.
   void follow(const DiagramChange& change);
+  /// The same in steps. The change must outlive them. `point` must not be asked for before they are
+  /// done, and this is of no use if they are dropped unfinished.
+  std::unique_ptr<SlicedSteps> startFollow(const DiagramChange& change);
   /// The place for one more site: in a component without a site, if there is one, otherwise the
   /// vertex or outline point of the worst region that is farthest from its site. Takes time for
   /// that region, and a little for each face and label.

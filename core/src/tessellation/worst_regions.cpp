@@ -72,36 +72,34 @@ WorstRegions::WorstRegions(const TriangleMesh& mesh, const DistanceField& distan
                            WorstRegion worst)
     : mesh_(&mesh), distances_(&distances), worst_(worst) {}
 
-/// A change of the diagram that the regions follow, in slices.
-class WorstRegions::Update {
+/// Makes the regions follow a change of the diagram.
+class WorstRegions::Update final : public SlicedSteps {
  public:
-  /// Takes what has changed, as in a `DiagramChange`; it must outlive this.
-  Update(std::span<const int> labels, std::span<const int> faces, const Diagram& part)
-      : labels_(labels), faces_(faces), part_(part) {}
+  /// Takes what has changed, as in a `DiagramChange`. All must outlive this.
+  Update(WorstRegions& of, std::span<const int> labels, std::span<const int> faces,
+         const Diagram& part)
+      : of_(of), labels_(labels), faces_(faces), part_(part) {}
 
-  /// True when the regions have followed.
-  bool run(WorstRegions& of, long& budget) {
-    return sequence_.run([&] { beginWith(of.regions_); },
-                         forEach(labels_, budget, 8, [&](int i) { clear(i, of.regions_); }),
-                         forEach(part_.loops.size(), budget, 1,
-                                 [&](int i) { addOutline(i, of.regions_[part_.loopLabel[i]]); }),
-                         forEach(faces_, budget, 4, [&](int i) { addShares(i, of); }),
-                         forEach(labels_, budget, 4, [&](int i) { sumUp(i, of.regions_); }));
+  bool advance(long budget) override {
+    return sequence_.run([&] { begin(); }, forEach(labels_, budget, 8, [&](int i) { clear(i); }),
+                         forEach(part_.loops.size(), budget, 1, [&](int i) { addOutline(i); }),
+                         forEach(faces_, budget, 4, [&](int i) { addShares(i); }),
+                         forEach(labels_, budget, 4, [&](int i) { sumUp(i); }));
   }
-  double progress() const { return sequence_.progress(); }
+  double progress() const override { return sequence_.progress(); }
 
  private:
-  void beginWith(std::vector<Region>& regions) {
+  void begin() {
     const std::size_t count = labels_.empty() ? 0 : labels_.back() + 1;
-    if (regions.size() < count) regions.resize(count);
+    if (of_.regions_.size() < count) of_.regions_.resize(count);
     keptShares_.resize(labels_.size());
-    isChanged_.resize(regions.size());
+    isChanged_.resize(of_.regions_.size());
     for (const int label : labels_) isChanged_[label] = true;
   }
 
   /// Takes all from a region but its shares in faces that have not changed.
-  void clear(int i, std::vector<Region>& regions) {
-    Region& region = regions[labels_[i]];
+  void clear(int i) {
+    Region& region = of_.regions_[labels_[i]];
     region = {part_.regionArea[i], 0, std::move(region.shares), {}};
     auto face = faces_.begin();
     const auto isOutdated = [&](const Share& share) {
@@ -112,28 +110,29 @@ class WorstRegions::Update {
     keptShares_[i] = region.shares.size();
   }
 
-  void addOutline(int loop, Region& region) {
-    for (const int point : part_.loops[loop]) region.outline.push_back(part_.points[point]);
+  void addOutline(int loop) {
+    std::vector<SurfacePoint>& outline = of_.regions_[part_.loopLabel[loop]].outline;
+    for (const int point : part_.loops[loop]) outline.push_back(part_.points[point]);
   }
 
-  void addShares(int i, WorstRegions& of) {
+  void addShares(int i) {
     const int face = faces_[i], label = part_.faceLabel[i];
-    of.faceLabel_[face] = label;
-    if (label >= 0) addShare(face, label, of.mesh_->faceArea(face), of);
+    of_.faceLabel_[face] = label;
+    if (label >= 0) addShare(face, label, of_.mesh_->faceArea(face));
     for (; nextCell_ < part_.cells.size() && part_.cellFace[nextCell_] == face; ++nextCell_)
-      addShare(face, part_.cellLabel[nextCell_], areaOfCell(*of.mesh_, part_, nextCell_), of);
+      addShare(face, part_.cellLabel[nextCell_], areaOfCell(*of_.mesh_, part_, nextCell_));
   }
 
-  void addShare(int face, int label, double area, WorstRegions& of) {
+  void addShare(int face, int label, double area) {
     if (!isChanged_[label]) return;
-    const double distortion = of.worst_ == WorstRegion::kDistortion
-                                  ? area * distortionOf(*of.mesh_, *of.distances_, label, face)
+    const double distortion = of_.worst_ == WorstRegion::kDistortion
+                                  ? area * distortionOf(*of_.mesh_, *of_.distances_, label, face)
                                   : 0;
-    of.regions_[label].shares.push_back({face, distortion});
+    of_.regions_[label].shares.push_back({face, distortion});
   }
 
-  void sumUp(int i, std::vector<Region>& regions) {
-    Region& region = regions[labels_[i]];
+  void sumUp(int i) {
+    Region& region = of_.regions_[labels_[i]];
     const auto added = region.shares.begin() + static_cast<std::ptrdiff_t>(keptShares_[i]);
     std::inplace_merge(region.shares.begin(), added, region.shares.end(),
                        [](const Share& a, const Share& b) { return a.face < b.face; });
@@ -141,6 +140,7 @@ class WorstRegions::Update {
     if (region.distortion <= kFlatDistortion * region.area) region.distortion = 0;
   }
 
+  WorstRegions& of_;
   const std::span<const int> labels_, faces_;
   const Diagram& part_;
   SlicedSequence sequence_;
@@ -168,9 +168,9 @@ class WorstRegions::Making final : public SlicedWork<WorstRegions> {
           std::iota(labels_.begin(), labels_.end(), 0);
           faces_.resize(faceCount);
           std::iota(faces_.begin(), faces_.end(), 0);
-          update_.emplace(labels_, faces_, diagram_);
+          update_.emplace(regions_, labels_, faces_, diagram_);
         },
-        [&] { return update_->run(regions_, budget); });
+        [&] { return update_->step(budget); });
   }
   double progress() const override { return update_ ? update_->progress() : 0; }
   WorstRegions result() override { return std::move(regions_); }
@@ -194,9 +194,14 @@ WorstRegions::WorstRegions(const TriangleMesh& mesh, const DistanceField& distan
                            const Diagram& diagram, WorstRegion worst)
     : WorstRegions(finished(start(mesh, distances, diagram, worst))) {}
 
+std::unique_ptr<SlicedSteps> WorstRegions::startFollow(const DiagramChange& change) {
+  return std::make_unique<Update>(*this, change.labels, change.faces, change.part);
+}
+
 void WorstRegions::follow(const DiagramChange& change) {
-  long budget = kUnlimited;
-  Update(change.labels, change.faces, change.part).run(*this, budget);
+  const auto steps = startFollow(change);
+  while (!steps->step(kUnlimited)) {
+  }
 }
 
 SurfacePoint WorstRegions::point() const {
@@ -255,6 +260,7 @@ class WorstFirstSampling final : public SlicedWork<std::vector<SurfacePoint>> {
           regions_ = listing_->take();
           listing_.reset();
           first_ = {};
+          if (!isComplete()) addPoint();
         },
         [&] { return insertOthers(budget); });
   }
@@ -264,16 +270,22 @@ class WorstFirstSampling final : public SlicedWork<std::vector<SurfacePoint>> {
   std::vector<SurfacePoint> result() override { return std::move(points_); }
 
  private:
+  /// Adds the place for the next point. The last one need not be inserted.
+  void addPoint() {
+    points_.push_back(regions_->point());
+    if (!isComplete()) insertion_ = diagram_->startInsert(points_.back());
+  }
+
   /// One site per step at the most, because finding its place takes time for a whole region.
   bool insertOthers(long budget) {
-    if (!insertion_) {
-      if (isComplete()) return true;
-      points_.push_back(regions_->point());
-      insertion_ = diagram_->startInsert(points_.back());
-    }
-    if (!insertion_->step(budget)) return false;
-    regions_->follow(insertion_->take());
-    insertion_.reset();
+    if (isComplete()) return true;
+    if (round_.run([&] { return insertion_->step(budget); },
+                   [&] {
+                     change_ = insertion_->take();
+                     following_ = regions_->startFollow(change_);
+                   },
+                   [&] { return following_->step(budget); }, [&] { addPoint(); }))
+      round_ = {};
     return isComplete();
   }
 
@@ -283,13 +295,16 @@ class WorstFirstSampling final : public SlicedWork<std::vector<SurfacePoint>> {
   const int count_;
   const WorstRegion worst_;
   std::vector<SurfacePoint> points_;
-  SlicedSequence sequence_;
+  SlicedSequence sequence_, round_;
   std::unique_ptr<SlicedWork<DynamicDiagram>> making_;
   std::optional<DynamicDiagram> diagram_;
   Diagram first_;  ///< of the first point
   std::unique_ptr<SlicedWork<WorstRegions>> listing_;
   std::optional<WorstRegions> regions_;
+  // Of the last point.
   std::unique_ptr<SlicedWork<DiagramChange>> insertion_;
+  DiagramChange change_;
+  std::unique_ptr<SlicedSteps> following_;
 };
 
 }  // namespace
