@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <span>
 #include <vector>
 
@@ -74,19 +73,6 @@ void forEachRun(std::span<Item> items, Same same, Visit visit) {
     visit(std::span(first, last));
     first = last;
   }
-}
-
-/// An item after two keys.
-using KeyedItem = std::array<int, 3>;
-
-/// Sorts items by their keys, and calls visit(run) for every run of items with the same keys,
-/// ascending.
-template <class Visit>
-void visitSame(std::vector<KeyedItem>& items, Visit visit) {
-  std::sort(items.begin(), items.end());
-  forEachRun(
-      std::span<const KeyedItem>(items),
-      [](const KeyedItem& a, const KeyedItem& b) { return a[0] == b[0] && a[1] == b[1]; }, visit);
 }
 
 }  // namespace gvd

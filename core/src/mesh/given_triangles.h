@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// Checks of triangles that are given as flat arrays.
+// Positions and triangles that are given as flat arrays.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <span>
-#include <string>
 
 namespace gvd {
+
+/// The position of a vertex: its three numbers in the array.
+inline Eigen::Vector3d positionOf(std::span<const double> positions, int vertex) {
+  return Eigen::Vector3d::Map(&positions[3 * static_cast<std::size_t>(vertex)]);
+}
 
 /// Throws `Error(kInvalidMesh)` unless both arrays have a multiple of three numbers, as many as an
 /// int can count.

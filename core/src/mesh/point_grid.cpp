@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/given_triangles.h"
+
 namespace gvd {
 namespace {
 
@@ -16,7 +18,7 @@ double after(double x) {
 }  // namespace
 
 void PointGrid::add(int v) {
-  int& last = last_[bucketOf(cubeOf(position(v)))];
+  int& last = last_[bucketOf(cubeOf(positionOf(positions_, v)))];
   entries_.push_back({v, last});
   last = static_cast<int>(entries_.size()) - 1;
 }
@@ -31,7 +33,8 @@ int PointGrid::firstNear(const Eigen::Vector3d& p) const {
       for (double z = low[2]; z <= high[2]; z = after(z))
         for (int i = last_[bucketOf({x, y, z})]; i >= 0; i = entries_[i].before) {
           const int v = entries_[i].point;
-          if ((first < 0 || v < first) && (position(v) - p).norm() <= radius_) first = v;
+          if ((first < 0 || v < first) && (positionOf(positions_, v) - p).norm() <= radius_)
+            first = v;
         }
   return first;
 }
@@ -43,10 +46,6 @@ PointGrid::Cube PointGrid::cubeOf(const Eigen::Vector3d& p) const {
   Cube cube;
   for (int i = 0; i < 3; ++i) cube[i] = std::clamp(std::floor(p[i] / (4 * radius_)), -kMost, kMost);
   return cube;
-}
-
-Eigen::Vector3d PointGrid::position(int v) const {
-  return Eigen::Vector3d::Map(&positions_[3 * static_cast<std::size_t>(v)]);
 }
 
 }  // namespace gvd

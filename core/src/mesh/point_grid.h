@@ -28,7 +28,6 @@ class PointGrid {
   using Cube = std::array<double, 3>;
   Cube cubeOf(const Eigen::Vector3d& p) const;
   int bucketOf(const Cube& cube) const { return hashBelow(static_cast<int>(last_.size()), cube); }
-  Eigen::Vector3d position(int v) const;
 
   const std::span<const double> positions_;
   const double radius_;

@@ -76,9 +76,7 @@ class Subdivision final : public SlicedWork<SubdividedTriangles> {
   }
 
   int vertexCount() const { return static_cast<int>(out_.positions.size() / 3); }
-  Vector3d place(int v) const {
-    return Vector3d::Map(&out_.positions[3 * static_cast<std::size_t>(v)]);
-  }
+  Vector3d place(int v) const { return positionOf(out_.positions, v); }
   /// Halves are added, because the sum of the ends may overflow.
   static Vector3d middle(const Corner& a, const Corner& b) { return a.place / 2 + b.place / 2; }
   bool isLong(const Corner& a, const Corner& b) const {

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "base/hashing.h"
+#include "mesh/given_triangles.h"
 
 namespace gvd {
 
@@ -22,7 +23,7 @@ bool VertexWelding::step(long& budget) {
       [&] { places_ = {}; },
       forEach(weld_ == 0 ? 0 : triangles_.size(), budget, kQuickRounds,
               [&](int i) {
-                if (const Eigen::Vector3d p = position(triangles_[i]); p.allFinite())
+                if (const Eigen::Vector3d p = positionOf(positions_, triangles_[i]); p.allFinite())
                   box_.extend(p);
               }),
       [&] { openGrid(); },
@@ -31,12 +32,8 @@ bool VertexWelding::step(long& budget) {
       });
 }
 
-Eigen::Vector3d VertexWelding::position(int v) const {
-  return Eigen::Vector3d::Map(&positions_[3 * static_cast<std::size_t>(v)]);
-}
-
 int VertexWelding::placeGroup(int v) const {
-  const Eigen::Vector3d p = position(v);
+  const Eigen::Vector3d p = positionOf(positions_, v);
   return p.allFinite() ? hashBelow(static_cast<int>(representative_.size()), p) : -1;
 }
 
@@ -66,7 +63,7 @@ void VertexWelding::weldToNear(int v) {
     if (same >= 0) same = representative_[same];
     return;
   }
-  const int near = keptVertices_->firstNear(position(v));
+  const int near = keptVertices_->firstNear(positionOf(positions_, v));
   if (near >= 0)
     same = near;
   else

@@ -30,7 +30,6 @@ class VertexWelding {
   std::vector<int> take() { return std::move(representative_); }
 
  private:
-  Eigen::Vector3d position(int v) const;
   int placeGroup(int v) const;
   void weldGroup(std::span<int> vertices);
   void openGrid();

@@ -57,11 +57,8 @@ class FaceCutting {
   bool nameVertices(SlicedLoop& loop, long& budget) {
     vertexOfPoint_.resize(diagram_.points.size());
     return loop.run(vertexOfPoint_.size(), budget, 8, [&](int i) {
-      const SurfacePoint& p = diagram_.points[i];
-      Eigen::Index corner;
-      vertexOfPoint_[i] = p.bary.maxCoeff(&corner) == 1
-                              ? mesh_.tail(3 * p.face + static_cast<int>(corner))
-                              : mesh_.vertexCount() + i;
+      const int vertex = vertexAt(mesh_, diagram_.points[i]);
+      vertexOfPoint_[i] = vertex >= 0 ? vertex : mesh_.vertexCount() + i;
     });
   }
 

@@ -98,10 +98,11 @@ void DiskGrid::add(int f, const Distances& distances, double radius) {
 std::span<const int> DiskGrid::near(const SurfacePoint& p) const {
   const int first = first_[p.face];
   if (first_[p.face + 1] - first == 1) return disks_[first];
-  const Grid grid = gridOf(mesh_.face(p.face));
-  const double fromSide = p.bary[cornerBefore(grid.side)];
-  const double x = p.bary[cornerAfter(grid.side)] * grid.length + fromSide * grid.apex.x();
-  const int i = partAt(x, grid.length, grid.columns), j = partAt(fromSide, 1, grid.rows);
+  const TriangleMesh::Face& face = mesh_.face(p.face);
+  const Grid grid = gridOf(face);
+  const double x = layOut(face, grid.side, p.bary).x();
+  const int i = partAt(x, grid.length, grid.columns);
+  const int j = partAt(p.bary[cornerBefore(grid.side)], 1, grid.rows);
   return disks_[first + i * grid.rows + j];
 }
 
