@@ -23,47 +23,50 @@ namespace gvd {
 PolygonMesh buildDual(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
                       const Partition& partition, const RegionComplex& complex);
 
-/// Work that computes a result from the regions of a diagram: first their partition, which leaves
-/// out components without a site, then its complex, then, at one go, the result from both.
+/// The regions of a diagram: their partition, which leaves out components without a site, and its
+/// complex, in slices.
+class RegionsBuilding {
+ public:
+  RegionsBuilding(const TriangleMesh& mesh, const Diagram& diagram);
+  bool step(long& budget);
+  double progress() const;
+  const Partition& partition() const { return partition_; }
+  const RegionComplex& complex() const { return complex_; }
+
+ private:
+  SlicedSequence sequence_;
+  std::unique_ptr<SlicedWork<Partition>> partitioning_;
+  Partition partition_;
+  std::optional<RegionComplexBuilding> building_;
+  RegionComplex complex_;
+};
+
+/// Work that computes a result from the regions of a diagram, at one go.
 template <class Result, class Make>
 class FromRegions final : public SlicedWork<Result> {
  public:
   FromRegions(const TriangleMesh& mesh, const Diagram& diagram, Make make)
-      : partitioning_(startPartition(mesh, diagram, {.leaveOutUnreachable = true})),
-        make_(std::move(make)) {}
+      : regions_(mesh, diagram), make_(std::move(make)) {}
 
   bool advance(long budget) override {
-    return sequence_.run([&] { return partitioning_->step(budget); },
-                         [&] {
-                           partition_ = partitioning_->take();
-                           partitioning_.reset();
-                         },
-                         [&] { return runPart(complex_, budget, partition_); },
-                         [&] {
-                           if (budget <= 0) return false;
-                           result_ = make_(partition_, complex_->take());
-                           return true;
-                         });
+    if (!regions_.step(budget) || budget <= 0) return false;
+    result_ = make_(regions_.partition(), regions_.complex());
+    return true;
   }
-  double progress() const override {
-    constexpr double kPartitionsShare = 0.8;
-    return partitioning_ ? kPartitionsShare * partitioning_->progress() : kPartitionsShare;
-  }
+  double progress() const override { return regions_.progress(); }
   Result result() override { return std::move(result_); }
 
  private:
-  std::unique_ptr<SlicedWork<Partition>> partitioning_;
+  RegionsBuilding regions_;
   Make make_;
-  SlicedSequence sequence_;
-  Partition partition_;
-  std::optional<RegionComplexBuilding> complex_;
   Result result_;
 };
 
 /// Starts such work; `make(partition, complex)` computes the result.
 template <class Make>
 auto fromRegions(const TriangleMesh& mesh, const Diagram& diagram, Make make) {
-  using Result = decltype(make(std::declval<const Partition&>(), std::declval<RegionComplex>()));
+  using Result =
+      decltype(make(std::declval<const Partition&>(), std::declval<const RegionComplex&>()));
   return std::unique_ptr<SlicedWork<Result>>(
       new FromRegions<Result, Make>(mesh, diagram, std::move(make)));
 }

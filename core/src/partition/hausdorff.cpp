@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "gvd/geodesic.h"
 #include "gvd/surface_point.h"
@@ -46,14 +45,14 @@ OneSidedHausdorff::OneSidedHausdorff(const TriangleTree& from, const TriangleTre
       distance_(to.triangles().empty() ? kInfinity : least) {}
 
 bool OneSidedHausdorff::step(long& budget) {
-  while (distance_ < kInfinity) {
-    if (open_.empty() && next_ == from_.triangles().size()) return true;
-    if (budget-- <= 0) return false;
-    if (open_.empty()) {
+  for (; distance_ < kInfinity; --budget) {
+    const bool isTriangleDone = nextPart_ == parts_.size();
+    if (isTriangleDone && next_ == from_.triangles().size()) return true;
+    if (budget <= 0) return false;
+    if (isTriangleDone) {
       enter(from_.triangles()[next_++]);
     } else {
-      const Part part = open_.front();
-      open_.pop_front();
+      const Part part = parts_[nextPart_++];
       if (mayBeFarther(part.bound) && halvingsLeft_-- > 0) halve(part);
     }
   }
@@ -64,6 +63,8 @@ bool OneSidedHausdorff::step(long& budget) {
 /// farther.
 void OneSidedHausdorff::enter(const SpaceTriangle& triangle) {
   constexpr double kHalvingsPerSquare = 16, kMostSquares = 4096;
+  parts_.clear();
+  nextPart_ = 0;
   const auto& [a, b, c] = triangle;
   if ((a + b + c).allFinite() &&
       !mayBeFarther(farthestFrom(to_.triangles()[lastNearest_], triangle)))
@@ -93,7 +94,7 @@ void OneSidedHausdorff::add(const std::array<Corner, 3>& corners) {
   for (const Corner& corner : corners)
     bound = std::min(
         bound, farthestFrom(to_.triangles()[corner.nearest], {a.position, b.position, c.position}));
-  if (mayBeFarther(bound)) open_.push_back({corners, bound});
+  if (mayBeFarther(bound)) parts_.push_back({corners, bound});
 }
 
 OneSidedHausdorff::Corner OneSidedHausdorff::cornerAt(const Vector3d& position) {

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
-#include <deque>
+#include <vector>
 
 #include "mesh/triangle_tree.h"
 
@@ -47,8 +47,9 @@ class OneSidedHausdorff {
   const TriangleTree& to_;
   const double resolution_;
   double distance_;
-  std::size_t next_ = 0;   ///< triangle
-  std::deque<Part> open_;  ///< parts of the last triangle, the next one first
+  std::size_t next_ = 0;     ///< triangle
+  std::vector<Part> parts_;  ///< of the last triangle
+  std::size_t nextPart_ = 0;
   long halvingsLeft_ = 0;  ///< of that triangle
   int lastNearest_ = 0;    ///< of the other triangles, to the last corner
 };

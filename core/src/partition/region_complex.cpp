@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "partition/dual_parts.h"
 #include "partition/region_patches.h"
 
 namespace gvd {
@@ -95,6 +96,24 @@ void RegionComplexBuilding::turnAround(int vertex) {
     if (beyond < 0 || borderAt_[beyond] == borders.front()) break;
     borders.push_back(borderAt_[beyond]);
   }
+}
+
+RegionsBuilding::RegionsBuilding(const TriangleMesh& mesh, const Diagram& diagram)
+    : partitioning_(startPartition(mesh, diagram, {.leaveOutUnreachable = true})) {}
+
+bool RegionsBuilding::step(long& budget) {
+  return sequence_.run([&] { return partitioning_->step(budget); },
+                       [&] {
+                         partition_ = partitioning_->take();
+                         partitioning_.reset();
+                       },
+                       [&] { return runPart(building_, budget, partition_); },
+                       [&] { complex_ = taken(building_); });
+}
+
+double RegionsBuilding::progress() const {
+  constexpr double kPartitionsShare = 0.8;
+  return partitioning_ ? kPartitionsShare * partitioning_->progress() : kPartitionsShare;
 }
 
 std::vector<int> RegionComplex::labelsAt(int vertex) const {

@@ -35,25 +35,6 @@ RepairedSites stateOf(const Cvt& cvt, int added) {
   return {{cvt.sites().begin(), cvt.sites().end()}, added, cvt.diagram()};
 }
 
-/// Why a dual is not valid, or how good it is.
-struct DualVerdict {
-  std::vector<Finding> findings;
-  double minAngle = 0;  ///< `RemeshQuality::minAngle`, if there are no findings
-};
-
-/// The verdict on the dual of some sites, which must outlive the work.
-std::unique_ptr<SlicedWork<DualVerdict>> startVerdict(const TriangleMesh& mesh,
-                                                      const RepairedSites& of) {
-  return fromRegions(mesh, of.diagram,
-                     [&mesh, sites = sitesOf(mesh, of.diagram, of.sites), &diagram = of.diagram](
-                         const Partition& partition, const RegionComplex& complex) {
-                       DualVerdict verdict{inspect(mesh, sites, diagram, partition, complex)};
-                       if (verdict.findings.empty())
-                         verdict.minAngle = minAngleOf(buildDual(mesh, sites, partition, complex));
-                       return verdict;
-                     });
-}
-
 /// Moves some sites towards the centroids of their regions, a step of Lloyd's method at a time, as
 /// long as the dual stays valid and its least angle grows. Steps of all sites would soon break the
 /// dual, and so may these: a site of a violation then stays where it is, and the others try again.
@@ -72,9 +53,9 @@ class Settling final : public SlicedWork<RepairedSites> {
   bool advance(long budget) override {
     if (isOver_ || movable_.empty()) return true;
     if (!keptAngle_) {
-      if (!verdict_) verdict_ = startVerdict(mesh_, kept_);
-      if (!verdict_->step(budget)) return false;
-      keptAngle_ = verdict_->take().minAngle;
+      if (!runPart(regions_, budget, mesh_, kept_.diagram)) return false;
+      keptAngle_ = minAngle(kept_);
+      regions_.reset();
       return false;
     }
     const bool isStepDone =
@@ -83,11 +64,12 @@ class Settling final : public SlicedWork<RepairedSites> {
                     cvt_->step(budget);
                     return cvt_->isDone();
                   },
+                  [&] { moved_ = stateOf(*cvt_, kept_.added); },
+                  [&] { return runPart(regions_, budget, mesh_, moved_.diagram); },
                   [&] {
-                    moved_ = stateOf(*cvt_, kept_.added);
-                    verdict_ = startVerdict(mesh_, moved_);
-                  },
-                  [&] { return verdict_->step(budget); }, [&] { judge(verdict_->take()); });
+                    judge();
+                    regions_.reset();
+                  });
     if (!isStepDone) return false;
     step_ = {};
     isOver_ = isOver_ || ++stepCount_ == kMostSettlings;
@@ -111,18 +93,23 @@ class Settling final : public SlicedWork<RepairedSites> {
     return options;
   }
 
+  /// The least angle of a dual whose regions are there.
+  double minAngle(const RepairedSites& of) const {
+    return minAngleOf(buildDual(mesh_, of.sites, regions_->partition(), regions_->complex()));
+  }
+
   /// Keeps the moved sites if their dual is valid and better than the one before. The sites of
   /// violations must not move any more; if none of them has moved, the next step would be the same.
-  void judge(const DualVerdict& verdict) {
-    if (verdict.findings.empty()) {
-      isOver_ = verdict.minAngle <= *keptAngle_;
-      if (isOver_) return;
+  void judge() {
+    const auto findings =
+        inspect(mesh_, moved_.sites, moved_.diagram, regions_->partition(), regions_->complex());
+    const double angle = findings.empty() ? minAngle(moved_) : 0;
+    isOver_ = angle <= *keptAngle_;
+    if (!isOver_) {
       kept_ = std::move(moved_);
-      keptAngle_ = verdict.minAngle;
-      return;
+      keptAngle_ = angle;
     }
-    isOver_ = true;
-    for (const Finding& finding : verdict.findings)
+    for (const Finding& finding : findings)
       for (const int label : finding.violation.labels)
         if (std::erase(movable_, label) > 0) isOver_ = false;
   }
@@ -134,8 +121,8 @@ class Settling final : public SlicedWork<RepairedSites> {
   SlicedSequence step_;
   int stepCount_ = 0;
   std::optional<Cvt> cvt_;
-  std::unique_ptr<SlicedWork<DualVerdict>> verdict_;
-  std::optional<double> keptAngle_;  ///< the least of the dual of `kept_`
+  std::optional<RegionsBuilding> regions_;  ///< of `kept_`, then of `moved_`
+  std::optional<double> keptAngle_;         ///< the least of the dual of `kept_`
   bool isOver_ = false;
 };
 
