@@ -162,10 +162,10 @@ class SiteChanging final : public SlicedWork<Record> {
     if (!following_) {
       if (!change_->step(budget)) return false;
       voronoi_.traced.reset();
-      changed_ = change_->take();
-      regions_ = std::exchange(voronoi_.worstRegions, std::nullopt);
+      changed_.emplace(change_->take());
+      regions_ = std::move(voronoi_.worstRegions);
       if (!regions_) return true;
-      following_ = regions_->startFollow(changed_);
+      following_ = regions_->startFollow(*changed_);
     }
     if (!following_->step(budget)) return false;
     voronoi_.worstRegions = std::move(regions_);
@@ -176,7 +176,7 @@ class SiteChanging final : public SlicedWork<Record> {
     const double own = following_ ? 1 : change_ ? change_->progress() : 0;
     return wasMade_ ? (1 + own) / 2 : own;
   }
-  Record result() override { return changeRecord(voronoi_.mesh(), *label_, std::move(changed_)); }
+  Record result() override { return changeRecord(voronoi_.mesh(), *label_, std::move(*changed_)); }
 
  private:
   /// Makes the `DynamicDiagram` if there is none yet; true when it is there.
@@ -206,9 +206,8 @@ class SiteChanging final : public SlicedWork<Record> {
   std::unique_ptr<SlicedWork<DynamicDiagram>> making_;
   bool wasMade_ = false;
   std::unique_ptr<SlicedWork<DiagramChange>> change_;
-  DiagramChange changed_;
-  std::optional<WorstRegions>
-      regions_;  ///< the diagram's while they follow; lost if that is dropped
+  std::optional<DiagramChange> changed_;
+  std::unique_ptr<WorstRegions> regions_;  ///< while they follow; lost if that is dropped
   std::unique_ptr<SlicedSteps> following_;
 };
 
@@ -291,7 +290,7 @@ GVD_ABI Answer* worstRegionPoint(VoronoiHandle* voronoi, Text worst) {
     return answerOn(voronoi, [=](const DiagramOnMesh& on) {
       return recording(WorstRegions::start(*on.mesh, voronoi->field(), *on.diagram, kind),
                        [voronoi, point, on](WorstRegions regions) {
-                         voronoi->worstRegions.emplace(std::move(regions));
+                         voronoi->worstRegions = std::make_unique<WorstRegions>(std::move(regions));
                          return point();
                        });
     });

@@ -48,8 +48,8 @@ struct VoronoiHandle {
   std::shared_ptr<DistanceField> distances;
   std::shared_ptr<const DistanceField> sharedDistances;  // or these, of a tessellation
   std::unique_ptr<DynamicDiagram> dynamic;               // or its own, once sites have changed
-  std::shared_ptr<const Diagram> traced;     // none after a change, until it is asked for
-  std::optional<WorstRegions> worstRegions;  // once they have been asked for
+  std::shared_ptr<const Diagram> traced;       // none after a change, until it is asked for
+  std::unique_ptr<WorstRegions> worstRegions;  // once they have been asked for
 
   const TriangleMesh& mesh() const { return *surface.mesh; }
   const DistanceField& field() const {

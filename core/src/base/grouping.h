@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <vector>
 
@@ -73,6 +74,20 @@ void forEachRun(std::span<Item> items, Same same, Visit visit) {
     visit(std::span(first, last));
     first = last;
   }
+}
+
+/// An item after two keys. Whatever is sorted by one key or two is sorted as this, because the
+/// standard library's sort is compiled anew for every other kind of item and order.
+using KeyedItem = std::array<int, 3>;
+
+/// Sorts items by their keys, and calls visit(run) for every run of items with the same keys,
+/// ascending.
+template <class Visit>
+void visitSame(std::vector<KeyedItem>& items, Visit visit) {
+  std::sort(items.begin(), items.end());
+  forEachRun(
+      std::span<const KeyedItem>(items),
+      [](const KeyedItem& a, const KeyedItem& b) { return a[0] == b[0] && a[1] == b[1]; }, visit);
 }
 
 }  // namespace gvd

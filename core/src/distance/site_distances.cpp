@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "base/grouping.h"
 #include "distance/dgpc/unfolding_spread.h"
 #include "distance/exact/window_spread.h"
 #include "gvd/error.h"
@@ -166,9 +167,11 @@ double SiteDistances::progress() const {
 /// Puts neighbouring labels in succession, so that the memory they touch is still in the cache.
 /// Labels that start do not resume, too.
 void SiteDistances::orderLabels() {
-  std::sort(change_.started.begin(), change_.started.end(), [&](int a, int b) {
-    return std::pair(sites_[a].face, a) < std::pair(sites_[b].face, b);
-  });
+  std::vector<KeyedItem> places;
+  for (const int label : change_.started) places.push_back({sites_[label].face, label, label});
+  std::sort(places.begin(), places.end());
+  std::transform(places.begin(), places.end(), change_.started.begin(),
+                 [](const KeyedItem& place) { return place.back(); });
   change_.hasStarted.assign(sites_.labelCount(), false);
   for (const int label : change_.started) change_.hasStarted[label] = true;
   change_.startsAll = sites_.count() == static_cast<int>(change_.started.size());

@@ -25,18 +25,15 @@ bool HalfedgeMatching::step(long& budget) {
 void HalfedgeMatching::match(std::span<const int> halfedges) {
   byHigherEnd_.clear();
   for (const int h : halfedges)
-    byHigherEnd_.emplace_back(std::max(tailOf(faces_, h), tipOf(faces_, h)), h);
-  std::sort(byHigherEnd_.begin(), byHigherEnd_.end());
-  forEachRun(
-      std::span(byHigherEnd_), [](const auto& a, const auto& b) { return a.first == b.first; },
-      [&](std::span<const std::pair<int, int>> run) {
-        if (run.size() == 2) {
-          twinOf(faces_, run[0].second) = run[1].second;
-          twinOf(faces_, run[1].second) = run[0].second;
-        } else if (run.size() > 2) {
-          ++repairs_.nonManifoldEdges;
-        }
-      });
+    byHigherEnd_.push_back({std::max(tailOf(faces_, h), tipOf(faces_, h)), 0, h});
+  visitSame(byHigherEnd_, [&](std::span<const KeyedItem> run) {
+    if (run.size() == 2) {
+      twinOf(faces_, run[0][2]) = run[1][2];
+      twinOf(faces_, run[1][2]) = run[0][2];
+    } else if (run.size() > 2) {
+      ++repairs_.nonManifoldEdges;
+    }
+  });
 }
 
 // --- Orientation -------------------------------------------------------------------------------

@@ -34,7 +34,7 @@ class HalfedgeMatching {
 
   SlicedSequence sequence_;
   Grouping byLowerEnd_;
-  std::vector<std::pair<int, int>> byHigherEnd_;  ///< that end, and a halfedge of one lower end
+  std::vector<KeyedItem> byHigherEnd_;  ///< halfedges of one lower end; no second key
 };
 
 /// The component of each triangle, and which triangles were turned over.

@@ -3,11 +3,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <set>
 #include <string>
 #include <utility>
 
+#include "base/grouping.h"
 #include "base/rejection.h"
 #include "diagram/point_merging.h"
 #include "mesh/corners.h"
@@ -45,20 +45,16 @@ class PolygonHalfedges {
  private:
   void findTwins() {
     twin_.assign(tail_.size(), -1);
-    std::vector<std::array<int, 3>> byEnds;  // tail, tip, halfedge
+    std::vector<KeyedItem> byEnds;
     for (int h = 0; h < count(); ++h) {
       isOriented_ &= tail(h) != tip(h);
       byEnds.push_back({tail(h), tip(h), h});
     }
-    std::sort(byEnds.begin(), byEnds.end());
-    const auto haveSameEnds = [](const auto& a, const auto& b) {
-      return a[0] == b[0] && a[1] == b[1];
-    };
-    isOriented_ &= std::adjacent_find(byEnds.begin(), byEnds.end(), haveSameEnds) == byEnds.end();
+    visitSame(byEnds, [&](std::span<const KeyedItem> run) { isOriented_ &= run.size() == 1; });
     for (int h = 0; h < count(); ++h) {
-      const std::array<int, 3> sought = {tip(h), tail(h), 0};
-      const auto other = std::lower_bound(byEnds.begin(), byEnds.end(), sought);
-      if (other != byEnds.end() && haveSameEnds(*other, sought)) twin_[h] = (*other)[2];
+      const auto other = std::lower_bound(byEnds.begin(), byEnds.end(), KeyedItem{tip(h), tail(h)});
+      if (other != byEnds.end() && (*other)[0] == tip(h) && (*other)[1] == tail(h))
+        twin_[h] = (*other)[2];
     }
   }
 
