@@ -4,14 +4,12 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/rejection.h"
-#include "base/sliced_loop.h"
 #include "gvd/dual.h"
 #include "gvd/partition.h"
 #include "mesh/given_points.h"
@@ -22,24 +20,6 @@ namespace gvd {
 /// Like `dualMesh`, but from a partition, which leaves out components without a site.
 PolygonMesh buildDual(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
                       const Partition& partition, const RegionComplex& complex);
-
-/// The regions of a diagram: their partition, which leaves out components without a site, and its
-/// complex, in slices.
-class RegionsBuilding {
- public:
-  RegionsBuilding(const TriangleMesh& mesh, const Diagram& diagram);
-  bool step(long& budget);
-  double progress() const;
-  const Partition& partition() const { return partition_; }
-  const RegionComplex& complex() const { return complex_; }
-
- private:
-  SlicedSequence sequence_;
-  std::unique_ptr<SlicedWork<Partition>> partitioning_;
-  Partition partition_;
-  std::optional<RegionComplexBuilding> building_;
-  RegionComplex complex_;
-};
 
 /// Work that computes a result from the regions of a diagram, at one go.
 template <class Result, class Make>

@@ -6,10 +6,15 @@
 #include <algorithm>
 #include <utility>
 
-#include "partition/dual_parts.h"
 #include "partition/region_patches.h"
 
 namespace gvd {
+
+std::vector<int> RegionComplex::labelsAt(int vertex) const {
+  std::vector<int> labels;
+  for (const int b : vertices[vertex].borders) labels.push_back(borders[b].label);
+  return labels;
+}
 
 bool RegionComplexBuilding::step(long& budget) {
   const std::size_t points = partition_.points.size(), halfedges = partition_.twins.size();
@@ -114,12 +119,6 @@ bool RegionsBuilding::step(long& budget) {
 double RegionsBuilding::progress() const {
   constexpr double kPartitionsShare = 0.8;
   return partitioning_ ? kPartitionsShare * partitioning_->progress() : kPartitionsShare;
-}
-
-std::vector<int> RegionComplex::labelsAt(int vertex) const {
-  std::vector<int> labels;
-  for (const int b : vertices[vertex].borders) labels.push_back(borders[b].label);
-  return labels;
 }
 
 }  // namespace gvd

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -75,6 +77,24 @@ class RegionComplexBuilding {
   std::vector<char> isWalked_;      ///< halfedges
   std::vector<int> steps_;          ///< of the current loop
   RegionComplex out_;
+};
+
+/// The regions of a diagram: their partition, which leaves out components without a site, and its
+/// complex, in slices.
+class RegionsBuilding {
+ public:
+  RegionsBuilding(const TriangleMesh& mesh, const Diagram& diagram);
+  bool step(long& budget);
+  double progress() const;
+  const Partition& partition() const { return partition_; }
+  const RegionComplex& complex() const { return complex_; }
+
+ private:
+  SlicedSequence sequence_;
+  std::unique_ptr<SlicedWork<Partition>> partitioning_;
+  Partition partition_;
+  std::optional<RegionComplexBuilding> building_;
+  RegionComplex complex_;
 };
 
 }  // namespace gvd
