@@ -542,21 +542,12 @@ test('what writes files', async () => {
     (value) => api.partitionJson(partition, { sites: toSites(value) }),
     /1 point:.*4 regions$/,
   );
-  const notColours = [
-    null,
-    5,
-    'red',
-    {},
-    [5],
-    [null],
-    [[1, 0]],
-    [[1, 0, 2]],
-    [[1, 0, NaN]],
-    [['1', 0, 0]],
-  ];
+  const notColours = [null, 5, 'red', {}, [5], [null], [[1, 0, NaN]], [['1', 0, 0]]];
   for (const layout of ['regions', 'features']) {
     const glbOf = (colours) => api.partitionGlb(partition, { colours, layout });
     await refused(notColours, glbOf, /^colours/);
+    await refused([[[1, 0]]], glbOf, /^colours\[0\] has 2 numbers, not three$/);
+    await refused([[[1, 0, 2]]], glbOf, /^colours\[0\]\[2\] is 2, not a number from 0 to 1$/);
     glbOf([undefined, [1, 0, 0.5]]);
   }
   await refused([...notObjects, [], {}], (bytes) => api.gltfResourceUris(bytes), /^bytes is /);

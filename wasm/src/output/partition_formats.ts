@@ -342,10 +342,11 @@ function requireColours(colours: RegionColours): void {
   if (!Array.isArray(colours)) throw invalidArgument(`colours is ${show(colours)}, not a list`);
   for (const [i, colour] of colours.entries()) {
     if (colour === undefined) continue;
-    if (!Array.isArray(colour) || colour.length !== 3 || !colour.every(share.allows))
-      throw invalidArgument(
-        `colours[${i}] is ${show(colour)}, not a list of three numbers from 0 to 1`,
-      );
+    const name = `colours[${i}]`;
+    if (!Array.isArray(colour)) throw invalidArgument(`${name} is ${show(colour)}, not a list`);
+    if (colour.length !== 3)
+      throw invalidArgument(`${name} has ${counted(colour.length, 'number')}, not three`);
+    for (const [k, x] of colour.entries()) requireAllowed(`${name}[${k}]`, x, share);
   }
 }
 
