@@ -8,10 +8,13 @@ import { showFailure } from '../base/messages.js';
 import { counted } from '../base/numbers.js';
 import { isSame } from '../base/same_sites.js';
 
-/** The faults of a dual, as a sentence about what has them; undefined if there are none. */
-export function faultsOf(what: string, violations: readonly Violation[]): string | undefined {
+/** The violations of a dual, as a sentence about what has them; undefined if there are none. */
+export function violationSentence(
+  what: string,
+  violations: readonly Violation[],
+): string | undefined {
   const [first, ...others] = violations;
-  const more = others.length > 0 ? `, and ${counted(others.length, 'more fault')}` : '';
+  const more = others.length > 0 ? `, and ${counted(others.length, 'more violation')}` : '';
   return first && `${what} no valid mesh of the surface: ${first.message}${more}.`;
 }
 

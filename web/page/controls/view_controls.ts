@@ -8,7 +8,7 @@ import { type GeodesicVoronoiElement, type Layer, layers } from '../../viewer/el
 import { bindAttributes, byId, listen, onClick, watchAttributes } from '../base/dom.js';
 import { hasNote, showNote, showNoteOnSites } from '../base/messages.js';
 import { make } from '../../viewer/stage/make.js';
-import { faultsOf, repairDual } from './valid_dual.js';
+import { repairDual, violationSentence } from './valid_dual.js';
 
 /** The titles of the layers, and hints on what they show. */
 const layerTexts: Record<Layer, { title: string; hint: string }> = {
@@ -92,10 +92,10 @@ function setUpDual(viewer: GeodesicVoronoiElement): void {
     repair.disabled = false;
   });
   listen(viewer, 'dual', (dual) => {
-    const faults = faultsOf('The dual is', dual?.violations ?? []);
-    note.textContent = faults ?? 'The dual is a valid mesh of the surface.';
+    const violations = violationSentence('The dual is', dual?.violations ?? []);
+    note.textContent = violations ?? 'The dual is a valid mesh of the surface.';
     note.hidden = dual === null;
-    repair.hidden = faults === undefined;
+    repair.hidden = violations === undefined;
   });
 }
 

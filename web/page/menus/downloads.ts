@@ -29,9 +29,9 @@ export function setUpDownloads(viewer: GeodesicVoronoiElement): void {
       const { fileOf } = await import('./exports.js');
       const file = await fileOf(viewer, name, format);
       save(file.blob, file.name);
-      if (file.faults) {
+      if (file.violations) {
         const title = 'Add sites to make it valid';
-        endNote = showNoteOnSites(viewer, file.faults, {
+        endNote = showNoteOnSites(viewer, file.violations, {
           title,
           act: () => void repairDual(viewer),
         });

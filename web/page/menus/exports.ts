@@ -10,7 +10,7 @@ import { encode } from './encoding.js';
 import { outlinesSvg } from './outline_svg.js';
 import { sitesCsv, sitesJson } from '../model/sites_file.js';
 import { modelName } from '../state/page_state.js';
-import { faultsOf } from '../controls/valid_dual.js';
+import { violationSentence } from '../controls/valid_dual.js';
 
 type Encoder = (
   diagram: Diagram,
@@ -119,12 +119,12 @@ function coloursOf(viewer: GeodesicVoronoiElement): number[][] {
 interface ExportedFile {
   blob: Blob;
   name: string;
-  /** The faults of the mesh in it, as a sentence. */
-  faults?: string | undefined;
+  /** The violations of the mesh in it, as a sentence. */
+  violations?: string | undefined;
 }
 
-/** The files that can be invalid meshes; the sentence on their faults begins so. */
-const faulty: Record<string, string> = {
+/** The files that can be invalid meshes; the sentence on their violations begins so. */
+const polygonFiles: Record<string, string> = {
   dual: 'The dual in the file is',
   polygons: 'The polygons in the file are',
 };
@@ -156,8 +156,9 @@ export async function fileOf(
   if (!diagram) throw new Error('there is no diagram');
   // Another model may be opened while the file is made.
   const [model, mesh] = [modelName(viewer), sourceOf(viewer)];
-  const faults = faulty[name] && faultsOf(faulty[name], await diagram.violations());
+  const what = polygonFiles[name];
+  const violations = what && violationSentence(what, await diagram.violations());
   const blob = await encoders[name][format](diagram, { mesh }, viewer);
   const ending = blob.type === mediaTypes.zip ? 'zip' : format;
-  return { blob, name: downloadName(model, name, ending), faults };
+  return { blob, name: downloadName(model, name, ending), violations };
 }
