@@ -374,7 +374,7 @@ suite('first sight', () => {
     const viewer = await browser.visit({ hash: '#v=2&model=bunny.ply&sites=12' });
     await viewer.page
       .locator('#error-text', {
-        hasText: 'The link was made by another version of this page: it is left out.',
+        hasText: 'The link was made by another version of this page, and is not used.',
       })
       .waitFor();
     await viewer.settled();

@@ -64,6 +64,6 @@ async function addMenus(viewer: GeodesicVoronoiElement): Promise<void> {
     const { setUpMenus } = await import('./menus/menus.js');
     setUpMenus(viewer);
   } catch (error) {
-    showFailure('Downloads and links cannot be had', error);
+    showFailure('Downloads and links cannot be loaded', error);
   }
 }

@@ -35,7 +35,7 @@ export function setUpDensityControls(viewer: GeodesicVoronoiElement): void {
       const density = await mesh?.curvatureDensity();
       if (mesh === viewer.mesh) viewer.density = density;
     } catch (error) {
-      showFailure('The curvature cannot be had', error);
+      showFailure('The curvature cannot be computed', error);
     }
   });
   const clear = onClick('density-clear', () => {

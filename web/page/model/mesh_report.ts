@@ -25,7 +25,7 @@ export function setUpMeshReport(viewer: GeodesicVoronoiElement): void {
     const cuts = orientationCuts + nonManifoldEdges;
     if (info.hasOpenSeams) {
       showNote(
-        'Some triangles of this model are apart by a hair: distances lead around the gaps.',
+        'Some triangles of this model have tiny gaps between them: distances lead around these.',
         { title: 'Weld them', act: () => viewer.setAttribute('weld', '1e-6') },
       );
     } else if (cuts > 0) {

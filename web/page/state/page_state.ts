@@ -75,7 +75,7 @@ export function readPageState(viewer: GeodesicVoronoiElement, hash: string): voi
   const parameters = parametersOf(hash);
   if (parameters.get('v') !== version) {
     if (parameters.has('v'))
-      tellOnceLoaded(viewer, 'The link was made by another version of this page: it is left out.');
+      tellOnceLoaded(viewer, 'The link was made by another version of this page, and is not used.');
     return;
   }
   dropRefused(viewer, parameters);
