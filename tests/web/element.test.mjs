@@ -581,6 +581,8 @@ suite('attributes and events', () => {
         () => viewer.removeSite(12),
         () => viewer.moveSite(-1, { face: 0, bary: [1, 0, 0] }),
         () => viewer.perform('turn'),
+        () => viewer.loadFiles('own.obj'),
+        () => viewer.regionColour(0.5) ?? 'no colour',
       ];
       return edits.map((edit) => {
         try {
@@ -597,6 +599,8 @@ suite('attributes and events', () => {
       'There is no site 12: the number of sites is 12.',
       'There is no site -1: the number of sites is 12.',
       'There is no command “turn”.',
+      'Files are a File, a list of these, or an object of files by their paths.',
+      'no colour',
     ]);
     const { message } = await viewer.after('error', () =>
       viewer.evaluate((viewer) => viewer.load('http://[')),

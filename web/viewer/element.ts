@@ -20,7 +20,7 @@ import { contextLost, type FailureType, sentence } from './session/failure.js';
 import type { HoveredPoint } from './tools/hover.js';
 import type { Reader } from './session/mesh_opening.js';
 import { type Layer, layers } from './drawing/model_drawing.js';
-import { chosenFiles, droppedFiles, fetchModelFiles, named } from './session/model_files.js';
+import { droppedFiles, fetchModelFiles, givenFiles, named } from './session/model_files.js';
 import { watchNearness } from './element/nearness.js';
 import { ReflectingElement } from './element/reflecting_element.js';
 import type { CvtStatus, Status } from './session/session_listener.js';
@@ -131,9 +131,8 @@ export class GeodesicVoronoiElement extends ReflectingElement {
    * refers to and any others, or a .zip of these. `file` chooses one of several (see `listModels`).
    */
   loadFiles(files: File | Iterable<File> | ModelFiles, file?: string): Promise<boolean> {
-    const given = files instanceof File ? [files] : files;
-    const now = Symbol.iterator in given ? [...given] : given; // a list of a page's input is emptied
-    return this.#open(async () => named(Array.isArray(now) ? chosenFiles(now) : now, file));
+    const given = givenFiles(files);
+    return this.#open(async () => named(given, file));
   }
 
   /** Opens a model from dropped files or folders; to be called before the event is over. */

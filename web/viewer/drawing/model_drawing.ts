@@ -225,8 +225,8 @@ export class ModelDrawing {
 
   /** The colour of a region, as CSS has it. */
   regionColour(label: number): string | undefined {
-    if (label < 0 || label >= this.#tones.length) return undefined;
-    return css(toneColour(this.#tones[label]));
+    const tone: number | undefined = this.#tones[label];
+    return tone === undefined ? undefined : css(toneColour(tone));
   }
 
   /**

@@ -20,13 +20,22 @@ export interface Task {
   onProgress: (share: number) => void;
 }
 
+/** What a caller gives as files, and a list of them as a copy: the one of a page's input is emptied. */
+export function givenFiles(files: File | Iterable<File> | ModelFiles): File[] | ModelFiles {
+  if (typeof files !== 'object' || files === null)
+    throw new TypeError('Files are a File, a list of these, or an object of files by their paths.');
+  if (files instanceof File) return [files];
+  return Symbol.iterator in files ? [...files] : files;
+}
+
 /** Files that were chosen: those of a folder have a path. They are read if the model needs them. */
 export function chosenFiles(files: Iterable<File>): ModelFiles {
   return byPath([...files].map((file) => [file.webkitRelativePath || file.name, file]));
 }
 
 /** Files named after the model that is wanted, or after the only one. */
-export function named(files: ModelFiles, file?: string): NamedFiles {
+export function named(given: File[] | ModelFiles, file?: string): NamedFiles {
+  const files = Array.isArray(given) ? chosenFiles(given) : given;
   const paths = Object.keys(files);
   const path = file ?? (paths.length === 1 ? paths[0] : undefined);
   return { name: path === undefined ? 'The model' : lastSegment(path), files, file };
