@@ -5,6 +5,7 @@
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
 import { suite, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
 import { torus } from '../../web/page/samples/shapes.mjs';
 import { meshObj } from '../wasm/model_files.mjs';
 import { browserForTests } from './browser.mjs';
@@ -38,6 +39,15 @@ const hash = createHash('sha256').update(importMap).digest('base64');
 const browser = await browserForTests({
   '/icon.svg': { html: '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9" />' },
   '/one.html': page(`<geodesic-voronoi ${model}></geodesic-voronoi>`),
+  '/elsewhere.html': {
+    ...page(
+      `<geodesic-voronoi ${model}></geodesic-voronoi>`,
+      '<script type="module" src="http://cdn.example/standalone.js"></script>',
+    ),
+    policy:
+      "default-src 'self'; script-src http://cdn.example 'wasm-unsafe-eval'; " +
+      "worker-src blob: http://cdn.example; connect-src 'self' http://cdn.example",
+  },
   '/twenty.html': page(twenty),
   '/early.html': page(`<geodesic-voronoi></geodesic-voronoi><script src="early.js"></script>`),
   '/early.js': {
@@ -109,6 +119,22 @@ suite('plain pages', () => {
     assert.equal(await viewer.regionCount(), 12);
     assert.ok((await drawnShare(viewer, 0)) > 0.1);
     assert.deepEqual([...new Set(scripts)], ['/package/standalone.js']);
+    assert.equal(viewer.page.workers().length, 2);
+  });
+
+  test('the script may come from another server', async () => {
+    const dist = fileURLToPath(new URL('../../dist', import.meta.url));
+    const viewer = await browser.open({
+      path: 'elsewhere.html',
+      prepare: (page) =>
+        page.route('http://cdn.example/**', (route) =>
+          route.fulfill({
+            path: dist + new URL(route.request().url()).pathname,
+            headers: { 'Access-Control-Allow-Origin': '*' },
+          }),
+        ),
+    });
+    assert.equal(await viewer.regionCount(), 12);
     assert.equal(viewer.page.workers().length, 2);
   });
 
