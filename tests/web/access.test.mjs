@@ -220,7 +220,7 @@ suite('access', () => {
     ]) {
       await viewer.page.keyboard.press(key);
       await viewer.page
-        .locator('#announcement', { hasText: told })
+        .locator('geodesic-voronoi .unseen[role=status]', { hasText: told })
         .waitFor({ state: 'attached', timeout: 20_000 });
     }
   });

@@ -39,6 +39,9 @@ const hash = createHash('sha256').update(importMap).digest('base64');
 const browser = await browserForTests({
   '/icon.svg': { html: '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9" />' },
   '/one.html': page(`<geodesic-voronoi ${model}></geodesic-voronoi>`),
+  '/right-to-left.html': page(
+    `<div dir="rtl" lang="ar"><geodesic-voronoi ${model}></geodesic-voronoi></div>`,
+  ),
   '/elsewhere.html': {
     ...page(
       `<geodesic-voronoi ${model}></geodesic-voronoi>`,
@@ -373,6 +376,24 @@ suite('assistive technology', () => {
     assert.match(ofCamera, /Arrow keys turn the model/);
     assert.doesNotMatch(ofCamera, /Enter|Delete|Space/);
     assert.equal(await heard({ interactive: 'none' }), '');
+  });
+
+  test('is told which site is selected, in English also in a page from right to left', async () => {
+    const viewer = await browser.open({ path: 'right-to-left.html' });
+    await viewer.page.locator('geodesic-voronoi canvas').focus();
+    await viewer.page.keyboard.press('n');
+    const told = viewer.page.locator('geodesic-voronoi [role=status]', {
+      hasText: /^Site 0 selected, of 12, region of area [\d.]+$/,
+    });
+    await told.waitFor({ state: 'attached' });
+    assert.deepEqual(
+      await told.evaluate((element) => [element.lang, getComputedStyle(element).direction]),
+      ['en', 'ltr'],
+    );
+    await viewer.page.keyboard.press('Delete');
+    await viewer.page
+      .locator('geodesic-voronoi [role=status]', { hasText: 'No site selected, of 11' })
+      .waitFor({ state: 'attached' });
   });
 });
 

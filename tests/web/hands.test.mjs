@@ -146,7 +146,9 @@ suite('hands', () => {
     await viewer.set({ selected: hidden });
     assert.ok(await viewer.sitePosition(hidden), 'it is seen now');
     const told = new RegExp(`Site ${hidden} selected, of 60, region of area`);
-    await viewer.page.locator('#announcement', { hasText: told }).waitFor({ state: 'attached' });
+    await viewer.page
+      .locator('geodesic-voronoi .unseen[role=status]', { hasText: told })
+      .waitFor({ state: 'attached' });
     const label = await viewer.page.locator('geodesic-voronoi canvas').getAttribute('aria-label');
     assert.match(label, new RegExp(`site ${hidden} is selected, of 60`));
 

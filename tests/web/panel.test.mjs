@@ -47,7 +47,10 @@ suite('the panel', () => {
     assert.equal(await list.locator('option').count(), 60);
     await list.selectOption({ index: 12 });
     assert.equal(await viewer.evaluate(({ selected }) => selected), 12);
-    assert.match(await text('#announcement'), /^Site 12 selected, of 60, region of area /);
+    assert.match(
+      await text('geodesic-voronoi .unseen[role=status]'),
+      /^Site 12 selected, of 60, region of area /,
+    );
     await list.focus();
     await viewer.after('diagram', () => viewer.page.keyboard.press('Delete'));
     assert.equal(await list.locator('option').count(), 59);

@@ -22,7 +22,6 @@ import { setUpSheet } from './controls/sheet.js';
 import { setUpSiteControls } from './controls/site_controls.js';
 import { setUpToolbar } from './controls/toolbar.js';
 import { setUpViewControls } from './controls/view_controls.js';
-import { setUpAnnouncements } from './readings/announcements.js';
 import { CvtReadings } from './readings/cvt_readings.js';
 import { setUpFeedback } from './readings/feedback.js';
 
@@ -54,7 +53,6 @@ export function setUpPage(
   setUpToolbar(viewer);
   setUpKeyboard(viewer);
   keepFocus(viewer);
-  setUpAnnouncements(viewer);
   setUpSheet();
   viewer.addEventListener('load', () => void addMenus(viewer), { once: true });
 }

@@ -14,6 +14,7 @@ import { buildAttributes, samplingAttributes } from './attributes/attribute_defa
 import { formatCameraOrbit } from './stage/camera_orbit.js';
 import { type Command, commandOf, instructionsOf, perform } from './tools/commands.js';
 import { fileOfPicture } from './buffers/drawing_builder.js';
+import { setUpAnnouncements } from './element/announcements.js';
 import { ElementShadow } from './element/element_shadow.js';
 import type { CvtIteration, ViewerEventMap, ViewerEvents } from './events.js';
 import { contextLost, type FailureType, sentence } from './session/failure.js';
@@ -72,6 +73,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
   constructor() {
     super();
     this.#reflectEvents();
+    setUpAnnouncements(this, (sentence) => this.#shadow?.announce(sentence));
   }
 
   connectedCallback(): void {

@@ -4,7 +4,7 @@
 
 import { legendStyle } from '../layers/legend.js';
 import { contextLost } from '../session/failure.js';
-import { make } from '../stage/make.js';
+import { english, make } from '../stage/make.js';
 
 const style = `
   :host {
@@ -68,7 +68,7 @@ const style = `
     transition: opacity 0.3s;
   }
   .hint.shown { opacity: 1; }
-  .instructions { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
+  .unseen { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
 `;
 
 const hintMilliseconds = 2000;
@@ -81,12 +81,13 @@ export class ElementShadow {
   readonly canvas = make('canvas', { tabIndex: 0 });
   readonly #root: ShadowRoot;
   readonly #aim = make('div', { className: 'aim' });
-  readonly #message = make('p', { className: 'message', hidden: true });
+  readonly #message = make('p', { className: 'message', hidden: true, ...english });
   readonly #poster = make('div', { className: 'poster' });
   readonly #posterImage = make('img', { alt: '', hidden: true });
   readonly #progress = make('div', { className: 'progress' });
-  readonly #hint = make('div', { className: 'hint' });
-  readonly #instructions = make('p', { className: 'instructions', id: 'instructions' });
+  readonly #hint = make('div', { className: 'hint', ...english });
+  readonly #instructions = make('p', { className: 'unseen', id: 'instructions', ...english });
+  readonly #announcement = make('p', { className: 'unseen', ...english });
   #hintTimer = 0;
   #failure: string | undefined;
   #isContextLost = false;
@@ -97,6 +98,7 @@ export class ElementShadow {
 
     // Attributes, since browsers have these as properties only of late.
     this.#hint.setAttribute('role', 'status');
+    this.#announcement.setAttribute('role', 'status');
     this.#message.setAttribute('role', 'alert');
     this.canvas.setAttribute('aria-describedby', 'instructions');
     this.#poster.append(make('slot', { name: 'poster' }, this.#posterImage));
@@ -111,7 +113,7 @@ export class ElementShadow {
       hint: this.#hint,
     };
     for (const [name, part] of Object.entries(parts)) part.setAttribute('part', name);
-    this.#root.replaceChildren(...Object.values(parts), this.#instructions);
+    this.#root.replaceChildren(...Object.values(parts), this.#instructions, this.#announcement);
   }
 
   /** Style sheets stay with the document that they were made in, so each document needs its own. */
@@ -183,6 +185,11 @@ export class ElementShadow {
       () => this.#hint.classList.remove('shown'),
       hintMilliseconds,
     );
+  }
+
+  /** Has screen readers say a sentence. */
+  announce(sentence: string): void {
+    this.#announcement.textContent = sentence;
   }
 
   dispose(): void {

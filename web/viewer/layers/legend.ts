@@ -6,7 +6,7 @@ import { greatestDensity } from '../model/density_paint.js';
 import { type DistanceScale, distanceColours } from '../drawing/distance_scale.js';
 import { tintColours } from '../buffers/label_colours.js';
 import { measure } from './measure.js';
-import { make } from '../stage/make.js';
+import { english, make } from '../stage/make.js';
 
 /** Part of the style sheet of the element. */
 export const legendStyle = `
@@ -20,7 +20,7 @@ export const legendStyle = `
   :host([exploded]:not([exploded='0'])) .legend,
   :host(:is([layers~='distances'], [layers~='original'])) .density { display: none; }
   .scale { height: 10px; border-radius: 3px; forced-color-adjust: none; }
-  .ends { display: flex; justify-content: space-between; direction: ltr; }
+  .ends { display: flex; justify-content: space-between; }
   @container (max-width: 1000px) or (max-height: 400px) {
     .legend { width: 160px; padding: 5px 8px; font-size: 11px; }
     .legend .detail { display: none; }
@@ -70,7 +70,7 @@ export class Legend {
 }
 
 function box(name: string): HTMLElement {
-  const element = make('div', { className: `legend ${name}`, hidden: true });
+  const element = make('div', { className: `legend ${name}`, hidden: true, ...english });
   element.setAttribute('part', name);
   return element;
 }

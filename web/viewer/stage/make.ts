@@ -12,3 +12,6 @@ export function make<Tag extends keyof HTMLElementTagNameMap>(
   element.append(...content);
   return element;
 }
+
+/** Of elements with sentences of the viewer, which are in English in every page. */
+export const english = { lang: 'en', dir: 'ltr' } as const;
