@@ -176,6 +176,10 @@ test('sites from a PLY and a CSV of places', () => {
   write('quoted.csv', ['name of it,"weight",x,"y", "z"', ...quoted].join('\n'));
   // As pandas writes a table.
   write('indexed.csv', [',z,x,y', ...rows.map(([x, y, z], i) => `${i},${z},${x},${y}`)].join('\n'));
+  const numbered = rows.map((row, i) => `${i},${row},0`);
+  const slicer = '# CoordinateSystem = LPS\n# columns = id,x,y,z,ow';
+  write('slicer.fcsv', [slicer, ...numbered].join('\n'));
+  write('numpy.txt', ['# id x y z', ...numbered.map((row) => row.replaceAll(',', ' '))].join('\n'));
   write('blanks.xyz', rows.map((row) => ` ${row.join('  \t')} 1\n`).join('\n'));
   const areas = (sites) => {
     const { regions } = JSON.parse(succeeds(`diagram shape.glb --sites ${sites} -q`).stdout);
@@ -188,6 +192,8 @@ test('sites from a PLY and a CSV of places', () => {
     'named.csv',
     'quoted.csv',
     'indexed.csv',
+    'slicer.fcsv',
+    'numpy.txt',
     'blanks.xyz',
   ])
     assert.deepEqual(areas(sites), expected);

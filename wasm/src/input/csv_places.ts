@@ -12,7 +12,8 @@ const decimal = (word: string) => (/^[-+]?0[box]/i.test(word) ? NaN : Number(wor
 /**
  * The places in a CSV. Its first line tells whether semicolons, commas or blanks part the columns, and
  * may name them; without names, the first three are read. A column in quotes may have any of these in
- * it. Lines that begin with # are comments.
+ * it. Lines that begin with # are comments; one before the first line may name the columns, too, as
+ * NumPy and 3D Slicer write it.
  */
 export function readCsvPlaces(bytes: Uint8Array): number[] {
   const text = new TextDecoder().decode(bytes);
@@ -20,12 +21,16 @@ export function readCsvPlaces(bytes: Uint8Array): number[] {
   let columns = [0, 1, 2];
   let pattern: RegExp | undefined;
   for (const [i, line] of text.split(/\r\n|\r|\n/).entries()) {
-    if (/^\s*(#|$)/.test(line)) continue;
+    if (/^\s*(#|$)/.test(line)) {
+      const names = line.replace(/^[\s#]*(columns\s*=)?/, '').trim();
+      if (!pattern) columns = columnsOf(wordsOf(names, columnPattern(names))) ?? columns;
+      continue;
+    }
     const isFirst = !pattern;
     pattern ??= columnPattern(line);
     const words = wordsOf(line.trim(), pattern);
     if (isFirst && words.slice(0, 3).some((word) => Number.isNaN(decimal(word))))
-      columns = columnsOf(words, i + 1);
+      columns = columnsOf(words) ?? refuseNames(words, i + 1);
     else places.push(...columns.map((column, k) => numberOf(words[column], i + 1, axes[k])));
   }
   return places;
@@ -48,10 +53,14 @@ function wordsOf(line: string, pattern: RegExp): string[] {
   return words;
 }
 
-function columnsOf(names: readonly string[], line: number): number[] {
+/** Where x, y and z are among names; undefined if they are not. */
+function columnsOf(names: readonly string[]): number[] | undefined {
   const plain = names.map((name) => name.toLowerCase());
   const columns = axes.map((axis) => plain.indexOf(axis));
-  if (columns.every((column) => column >= 0)) return columns;
+  return columns.every((column) => column >= 0) ? columns : undefined;
+}
+
+function refuseNames(names: readonly string[], line: number): never {
   const read = show(names.join(' ').slice(0, 40));
   throw new Error(`line ${line} is neither three numbers nor names with x, y and z: ${read}`);
 }
