@@ -19,6 +19,9 @@ symlinkSync(root, join(folder, 'node_modules', 'geodesic-voronoi'));
 symlinkSync(join(root, 'node_modules/three'), join(folder, 'node_modules', 'three'));
 writeFileSync(join(folder, 'model.glb'), glb(torus(40, 20)));
 const lists = { sites: [0, 200, 400], points: [5, 17], a: [3], b: [77] };
+writeFileSync(join(folder, 'landmarks.csv'), 'name,x,y,z\n"a, b",2,0,0\nc,-2,0,0\n');
+writeFileSync(join(folder, 'measurement.txt'), '7\n'.repeat(800));
+writeFileSync(join(folder, 'cities.csv'), 'name,longitude,latitude\n"A, B",0,0\nC,180,0\nD,0,90\n');
 for (const [name, vertex] of Object.entries(lists)) {
   writeFileSync(join(folder, `${name}.json`), JSON.stringify({ vertex }));
 }
@@ -74,6 +77,15 @@ const examples = {
   'many-models.mjs': {
     args: ['3', 'model.glb', 'none.glb', 'model.glb'],
     says: /^model,label,area\n(model\.glb,\d,[\d.]+\n){6}$/,
+  },
+  'region-means.mjs': {
+    args: ['model.glb', 'landmarks.csv', 'measurement.txt'],
+    says: /^landmark,offSurface,area,perimeter,mean\n("a, b"|c)(,[\d.]+){3},7\.00000\n/,
+  },
+  // Three eighths of the sphere are nearest to the first city, and half its circumference leads to the second.
+  'cities.mjs': {
+    args: ['cities.csv'],
+    says: /^city,area,neighbour,distance\n"A, B",1912\d{5},C,2001\d\.\d\n/,
   },
   'log-map.mjs': {
     args: ['model.glb'],
