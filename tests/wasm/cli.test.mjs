@@ -197,6 +197,22 @@ test('edges that are cut are told of', () => {
   assert.match(none, /no path between 1 pair of points: .* \(info tells where it is cut apart\)/);
 });
 
+test('a hole where a corner is not finite is told of', () => {
+  const ply = (x) =>
+    `ply\nformat ascii 1.0\nelement vertex 4\n${['x', 'y', 'z'].map((axis) => `property float ${axis}\n`).join('')}` +
+    `element face 2\nproperty list uchar int vertex_indices\nend_header\n` +
+    `0 0 0\n1 0 0\n0 1 0\n${x} 1 0\n3 0 1 2\n3 1 3 2\n`;
+  write('hole.ply', ply('nan'));
+  write('whole.ply', ply('1'));
+  const distances = (model) =>
+    succeeds(`distances ${model} --sites {"vertex":[0]} -o d.json`).stderr;
+  assert.match(
+    distances('hole.ply'),
+    /^note: 1 triangle with a corner that is not finite is dropped: the surface may have a hole there\n/,
+  );
+  assert.doesNotMatch(distances('whole.ply'), /note/);
+});
+
 test('a path that does not exist is told of', () => {
   const { stderr } = succeeds(
     'path two.glb --from {"vertex":[0,0]} --to {"vertex":[1,6]} -o path.json',

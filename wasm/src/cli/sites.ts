@@ -139,7 +139,14 @@ export function meshNotes({ info: { notes, repairs } }: Mesh): string[] {
     cuts.push(
       `at ${counted(touching, 'vertex', 'vertices')} parts of the surface touch: distances do not lead across`,
     );
-  return [...notes, ...cuts];
+  const dropped = repairs.nonFiniteTriangles;
+  const holes =
+    dropped === 0
+      ? []
+      : [
+          `${counted(dropped, 'triangle')} with a corner that is not finite ${dropped === 1 ? 'is' : 'are'} dropped: the surface may have a hole there`,
+        ];
+  return [...notes, ...cuts, ...holes];
 }
 
 /** Notes the components that no site is on, if there are any, and options that put one on each. */
