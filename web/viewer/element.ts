@@ -338,21 +338,19 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     const emit = <Type extends keyof ViewerEvents>(type: Type, detail: ViewerEvents[Type]) => {
       this.dispatchEvent(new CustomEvent(type, { detail }));
     };
-    const fail = (type: ViewerEvents['error']['type'], message: string, cause?: unknown) => {
-      emit('error', { type, message, cause });
-    };
     try {
       this.#viewer = new Viewer(shadow.canvas, {
         attributes: this.attributeValues,
         emit,
         hint: (text) => shadow.hint(text),
-        contextLost: () => fail('webglcontextlost', contextLost),
+        contextLost: () => emit('error', { type: 'webglcontextlost', message: contextLost }),
         contextRestored: () => (shadow.isContextLost = false),
       });
     } catch (error) {
       this.setAttribute('status', 'failed');
-      if (error instanceof NoWebGlError) fail('nowebgl', error.message, error.cause);
-      else fail('loadfailure', sentence('The view cannot be made', error).message, error);
+      const isMissing = error instanceof NoWebGlError;
+      const { message, cause } = isMissing ? error : sentence('The view cannot be made', error);
+      emit('error', { type: isMissing ? 'nowebgl' : 'loadfailure', message, cause });
     }
     return this.#viewer;
   }
