@@ -190,6 +190,23 @@ TEST(ExactPath, IsAsLongAsTheDistanceOnMechanicalParts) {
 }
 
 /// Also to sites that are not the nearest, as far as they are known.
+/// Sites that are nearer to a side of their face than rounding of the lengths of edges: seen from
+/// across the side, the unfolded site may appear in front of it.
+TEST(ExactPath, IsAsLongAsTheDistanceToSitesBesideAnEdge) {
+  shapes::Shape box = shapes::cube();
+  for (int v = 0; v < box.vertexCount(); ++v)
+    box.setPosition(v, box.position(v).cwiseProduct(Eigen::Vector3d(1e-3, 1, 18)));
+  const TriangleMesh mesh = box.mesh();
+  const std::vector<SurfacePoint> points = pointsOf(mesh, 20, 1);
+  for (int h = 0; h < mesh.halfedgeCount(); ++h)
+    for (const double share : {0.001, 0.3}) {
+      SurfacePoint site{TriangleMesh::faceOf(h), Eigen::Vector3d::Constant(1e-12)};
+      site.bary[h % 3] = 1 - share - 1e-12;
+      site.bary[cornerAfter(h % 3)] = share;
+      checkExact(mesh, {site}, points);
+    }
+}
+
 TEST(ExactPath, LeadsToEveryKnownSite) {
   for (int seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

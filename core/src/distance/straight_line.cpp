@@ -29,13 +29,13 @@ bool StraightLine::crossFace(const TriangleMesh& mesh) {
   const Vector2d origin = isLeft ? apex : tip;
   const Vector2d axis = ((isLeft ? tail : apex) - origin) / face.lengths[side];
   const Vector2d there = turnedBackBy(source - origin, axis);
-  if (!(there.y() < 0)) return false;
   const Vector2d here = turnedBackBy(from - origin, axis);
-  const double share = std::max(here.y(), 0.0) / (std::max(here.y(), 0.0) - there.y());
+  const double height = std::max(here.y(), 0.0), depth = std::max(-there.y(), 0.0);
+  const double share = depth > 0 ? height / (height + depth) : 1;
   halfedge += side - i;
   along = std::clamp(here.x() + (there.x() - here.x()) * share, 0.0, face.lengths[side]);
   source = there;
-  return true;
+  return depth > 0;
 }
 
 }  // namespace gvd

@@ -136,7 +136,10 @@ int WindowPath::follow(Piece piece) {
     if (points_.endAtSite()) return kAtSite;
     if (!line.enterFace(mesh_)) break;
     if (const int source = sourceAt(piece); source >= 0) return source;
-    if (!line.crossFace(mesh_)) break;
+    // A site beyond a side may appear in front of the side, if it is as near to it as rounding.
+    if (!line.crossFace(mesh_) &&
+        !points_.isBesideSite(pointOnHalfedge(mesh_, line.halfedge, line.along)))
+      break;
   }
   return nextCorner();
 }
