@@ -497,6 +497,30 @@ TEST(Windows, FindTheWayAroundACornerThatIsVeryNear) {
   }
 }
 
+/// In the plane, from a site behind a vertex, on an edge, to points beside the vertices that are
+/// straight ahead. So near to a site, rounding leaves a gap between the lines that pass the vertex
+/// on its two sides.
+TEST(Windows, FindTheWayPastAVertexThatIsVeryNear) {
+  shapes::Shape shape = shapes::grid(3, 3);
+  for (int v = 0; v < shape.vertexCount(); ++v)
+    shape.setPosition(v, shape.position(v).cwiseProduct(Eigen::Vector3d(4.2, 6.8, 0)));
+  const TriangleMesh mesh = shape.mesh();
+  for (int h = 0; h < mesh.halfedgeCount(); ++h)
+    for (const double share : {1e-8, 1e-10, 1e-12}) {
+      SurfacePoint site{TriangleMesh::faceOf(h), Eigen::Vector3d::Zero()};
+      site.bary[h % 3] = 1 - share;
+      site.bary[cornerAfter(h % 3)] = share;
+      mesh.visitNeighbours(mesh.tail(h), [&](int neighbour) {
+        for (const int outgoing : mesh.fan(neighbour)) {
+          SurfacePoint p{TriangleMesh::faceOf(outgoing), Eigen::Vector3d::Constant(4e-7)};
+          p.bary[outgoing % 3] = 1 - 8e-7;
+          const double expected = (mesh.position(p) - mesh.position(site)).norm();
+          EXPECT_NEAR(lengthOf(mesh, shortestPath(mesh, p, site)), expected, 1e-9 * expected);
+        }
+      });
+    }
+}
+
 // --- Directions ----------------------------------------------------------------------------------
 
 /// In the plane they are known: whether the site lies in a face, on an edge or at a vertex.

@@ -29,6 +29,10 @@ constexpr double kBucketsPerEdge = 1.5;
 /// 2^-53.
 constexpr double kRoundingOfLines = 0x1p-50;
 
+/// A vertex is near to a source if their distance is at most this share of the vertex's longest
+/// edge. Beyond, `kRoundingOfLines` is an angle of less than 1e-9.
+constexpr double kNear = 1e-6;
+
 /// Ties at distances beyond this many bounding diagonals may be missed.
 constexpr double kFarthestTie = 8;
 
@@ -38,7 +42,8 @@ WindowSweep::WindowSweep(const TriangleMesh& mesh, const SiteSet& sites, Nearest
     : mesh_(mesh),
       sites_(sites),
       bounds_(bounds),
-      leastGrazing_(kRoundingOfLines * longestEdge(mesh)),
+      longestEdge_(longestEdge(mesh)),
+      leastGrazing_(kRoundingOfLines * longestEdge_),
       tieMargin_(kDistanceTolerance * kFarthestTie * mesh.boundingDiagonal()),
       fan_(mesh, leastGrazing_),
       revisits_(mesh),
@@ -186,7 +191,15 @@ void WindowSweep::offer(int v, double distance, const LastPiece& piece) {
   }
   if (own.isRequired()) required_.lower(own.required, distance);
   if (points_.isEmpty()) bounds_.lower(v, label_, distance);
-  if (own.isSaddle || piece.isAtSite()) queueSource(v);
+  if (own.isSaddle || piece.isAtSite() || isNear(v, distance - piece.sourceDistance))
+    queueSource(v);
+}
+
+/// Whether a vertex is so near to a source that rounding leaves a gap between the windows that pass
+/// it on its two sides. The vertex as a source itself covers the gap, and makes no path longer than
+/// by rounding.
+bool WindowSweep::isNear(int v, double length) const {
+  return length < kNear * longestEdge_ && length < kNear * mesh_.longestEdge(v);
 }
 
 /// The angle at which the path to a vertex leaves the site.
@@ -234,7 +247,8 @@ void WindowSweep::becomeSource(int v) {
     waiting_.sources.push_back(v);
     return;
   }
-  const auto sides = fan_.sides(v, own.piece.arrival, own.piece.crossing);
+  const auto sides =
+      fan_.sides(v, own.piece.arrival, own.piece.crossing, own.distance - own.piece.sourceDistance);
   if (sides.empty()) return;
   const bool isSite = own.piece.isAtSite();
   double direction =
