@@ -301,6 +301,19 @@ TEST(ExactPath, TurnsAtTheInnerCornerOfAnL) {
   }
 }
 
+/// Straight lines that pass the inner corner beyond the boundary, by so little that they are no
+/// longer than the way over the corner.
+TEST(ExactPath, TurnsAtAnInnerCornerThatItIsHardlyBeside) {
+  const TriangleMesh mesh = shapes::ell(1).mesh();
+  for (int h = 0; h < mesh.halfedgeCount(); ++h)
+    for (const double share : {0.1, 0.5}) {
+      SurfacePoint p{TriangleMesh::faceOf(h), Eigen::Vector3d::Constant(2.4e-7)};
+      p.bary[cornerAfter(h % 3)] *= share;
+      p.bary[h % 3] = 1 - 2.4e-7 * (1 + share);
+      for (int v = 0; v < mesh.vertexCount(); ++v) checkExact(mesh, {pointAtVertex(mesh, v)}, {p});
+    }
+}
+
 TEST(ExactPath, CrossesTheEdgesOfACube) {
   const TriangleMesh mesh = shapes::cube().mesh();
   // From the middle of one face to that of a neighbour: straight across the middle of their edge.

@@ -130,11 +130,15 @@ WindowPath::Piece WindowPath::lastPiece(int vertex) const {
 int WindowPath::follow(Piece piece) {
   StraightLine& line = piece.line;
   for (int crossed = 0; crossed <= mesh_.faceCount(); ++crossed) {
+    const std::size_t before = points_.size();
     points_.add(pointOnHalfedge(mesh_, line.halfedge, line.along));
     const int passed = vertexAt(mesh_, points_.last());
     if (passed >= 0 && leadsOn(passed, piece.sourceDistance + line.length())) return passed;
     if (points_.endAtSite()) return kAtSite;
-    if (!line.enterFace(mesh_)) break;
+    if (!line.enterFace(mesh_)) {  // the line passes the vertex beyond the boundary
+      points_.shrinkTo(before);
+      break;
+    }
     if (const int source = sourceAt(piece); source >= 0) return source;
     // A site beyond a side may appear in front of the side, if it is as near to it as rounding.
     if (!line.crossFace(mesh_) &&
