@@ -189,7 +189,6 @@ TEST(ExactPath, IsAsLongAsTheDistanceOnMechanicalParts) {
   }
 }
 
-/// Also to sites that are not the nearest, as far as they are known.
 /// Sites that are nearer to a side of their face than rounding of the lengths of edges: seen from
 /// across the side, the unfolded site may appear in front of it.
 TEST(ExactPath, IsAsLongAsTheDistanceToSitesBesideAnEdge) {
@@ -207,6 +206,7 @@ TEST(ExactPath, IsAsLongAsTheDistanceToSitesBesideAnEdge) {
     }
 }
 
+/// Also to sites that are not the nearest, as far as they are known.
 TEST(ExactPath, LeadsToEveryKnownSite) {
   for (int seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
