@@ -19,7 +19,7 @@ std::vector<std::pair<std::string, std::string>> dataUris(const ByteVector& buff
   return {{"short", "data:;base64," + content},
           {"with a media type", "data:application/gltf-buffer;base64," + content},
           {"with a character set", "data:text/plain;charset=utf-8;base64," + content},
-          {"in capitals", "DATA:;base64," + content},
+          {"in capitals", "DATA:;BASE64," + content},
           {"percent-encoded", "data:;base64," + percentEncoded},
           {"without padding", "data:;base64," + withoutPadding},
           {"with spaces", "data:;base64," + content.substr(0, 7) + " \\n" + content.substr(7)},

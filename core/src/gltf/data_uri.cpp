@@ -50,6 +50,13 @@ constexpr std::array<int, 256> kBase64Value = [] {
   return values;
 }();
 
+/// Whether a text is a word, given in small letters, but for capitals.
+bool isInAnyCase(std::string_view text, std::string_view word) {
+  return std::ranges::equal(text, word, [](char c, char small) {
+    return (c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c) == small;
+  });
+}
+
 /// Padding may be missing; white space may stand anywhere.
 std::optional<std::string> base64Decoded(std::string_view text) {
   std::string decoded;
@@ -73,16 +80,18 @@ std::optional<std::string> base64Decoded(std::string_view text) {
 
 bool isDataUri(std::string_view uri) {
   constexpr std::string_view kScheme = "data:";
-  return uri.size() >= kScheme.size() &&
-         std::equal(kScheme.begin(), kScheme.end(), uri.begin(),
-                    [](char a, char b) { return a == (b | 0x20) || a == b; });
+  return isInAnyCase(uri.substr(0, kScheme.size()), kScheme);
 }
 
 std::string dataUriContent(std::string_view uri, const std::string& owner) {
   const std::size_t comma = uri.find(',');
   if (comma == std::string_view::npos) reject(owner + " has a data URI without content");
   const std::string_view content = uri.substr(comma + 1);
-  if (!uri.substr(0, comma).ends_with(";base64")) return percentDecoded(content);
+  constexpr std::string_view kBase64 = ";base64";
+  const std::string_view head = uri.substr(0, comma);
+  if (head.size() < kBase64.size() ||
+      !isInAnyCase(head.substr(head.size() - kBase64.size()), kBase64))
+    return percentDecoded(content);
   const bool isEscaped = content.find('%') != std::string_view::npos;
   std::optional<std::string> decoded =
       isEscaped ? base64Decoded(percentDecoded(content)) : base64Decoded(content);
