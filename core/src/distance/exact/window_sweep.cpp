@@ -180,6 +180,13 @@ void WindowSweep::startAcross(const SurfacePoint& site, int side, double angle) 
   }
 }
 
+/// Whether a vertex is so near to a source that rounding leaves a gap between the windows that pass
+/// it on its two sides. The vertex as a source itself covers the gap, and makes no path longer than
+/// by rounding.
+inline bool WindowSweep::isNear(int v, double length) const {
+  return length < kNear * longestEdge_ && length < kNear * mesh_.longestEdge(v);
+}
+
 void WindowSweep::offer(int v, double distance, const LastPiece& piece) {
   Vertex& own = vertices_.reach(v);
   if (!(rankOf({distance, piece.kind}) < rankOf({own.distance, own.piece.kind}))) return;
@@ -193,13 +200,6 @@ void WindowSweep::offer(int v, double distance, const LastPiece& piece) {
   if (points_.isEmpty()) bounds_.lower(v, label_, distance);
   if (own.isSaddle || piece.isAtSite() || isNear(v, distance - piece.sourceDistance))
     queueSource(v);
-}
-
-/// Whether a vertex is so near to a source that rounding leaves a gap between the windows that pass
-/// it on its two sides. The vertex as a source itself covers the gap, and makes no path longer than
-/// by rounding.
-bool WindowSweep::isNear(int v, double length) const {
-  return length < kNear * longestEdge_ && length < kNear * mesh_.longestEdge(v);
 }
 
 /// The angle at which the path to a vertex leaves the site.
