@@ -3,6 +3,8 @@
 // Micha Sharir, Amir Schorr. On Shortest Paths in Polyhedral Spaces. 1986
 #include "distance/exact/revisit_filter.h"
 
+#include <algorithm>
+
 #include "distance/straight_line.h"
 
 namespace gvd::exact {
@@ -28,13 +30,16 @@ bool RevisitFilter::dropsSuspicious(const Window& w, int halfedge) {
 }
 
 /// All lines of a window have crossed the same faces, so it is enough to follow the middle one
-/// backwards.
+/// backwards, and only for twice the longest side of the face: a line that comes back after a
+/// longer way is longer than the way over a corner of the face, and ends by its length alone.
 bool RevisitFilter::entersAgain(const Window& w, int halfedge) {
   StraightLine line{halfedge, (w.begin + w.end) / 2, {w.x, w.y}};
-  const double atSource = kLineRounding * line.length();
+  const auto& [a, b, c] = mesh_.face(halfedge / 3).lengths;
+  const double length = line.length();
+  const double least = std::max(kLineRounding * length, length - 2 * std::max({a, b, c}));
   for (int crossed = 0; crossed < mesh_.faceCount(); ++crossed) {
     ++crossedBack_;
-    if (!line.enterFace(mesh_) || line.length() < atSource) return false;
+    if (!line.enterFace(mesh_) || line.length() < least) return false;
     if (line.halfedge / 3 == halfedge / 3) return true;
     if (!line.crossFace(mesh_)) return false;
   }
