@@ -52,9 +52,10 @@ constexpr std::array<int, 256> kBase64Value = [] {
 
 /// Whether a text is a word, given in small letters, but for capitals.
 bool isInAnyCase(std::string_view text, std::string_view word) {
-  return std::ranges::equal(text, word, [](char c, char small) {
+  const auto isSame = [](char c, char small) {
     return (c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c) == small;
-  });
+  };
+  return std::equal(text.begin(), text.end(), word.begin(), word.end(), isSame);
 }
 
 /// Padding may be missing; white space may stand anywhere.
