@@ -178,8 +178,12 @@ test('sites from a PLY and a CSV of places', () => {
   write('indexed.csv', [',z,x,y', ...rows.map(([x, y, z], i) => `${i},${z},${x},${y}`)].join('\n'));
   const numbered = rows.map((row, i) => `${i},${row},0`);
   const slicer = '# CoordinateSystem = LPS\n# columns = id,x,y,z,ow';
-  write('slicer.fcsv', [slicer, ...numbered].join('\n'));
-  write('numpy.txt', ['# id x y z', ...numbered.map((row) => row.replaceAll(',', ' '))].join('\n'));
+  write('slicer.fcsv', [slicer, ...numbered.map((row) => `Fiducial_${row}`)].join('\n'));
+  write('spoken.csv', ['# the columns x y z', ...rows].join('\n'));
+  write(
+    'numpy.txt',
+    ['# id x y z w', ...numbered.map((row) => row.replaceAll(',', ' '))].join('\n'),
+  );
   write('blanks.xyz', rows.map((row) => ` ${row.join('  \t')} 1\n`).join('\n'));
   const areas = (sites) => {
     const { regions } = JSON.parse(succeeds(`diagram shape.glb --sites ${sites} -q`).stdout);
@@ -193,6 +197,7 @@ test('sites from a PLY and a CSV of places', () => {
     'quoted.csv',
     'indexed.csv',
     'slicer.fcsv',
+    'spoken.csv',
     'numpy.txt',
     'blanks.xyz',
   ])

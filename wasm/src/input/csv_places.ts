@@ -12,24 +12,26 @@ const decimal = (word: string) => (/^[-+]?0[box]/i.test(word) ? NaN : Number(wor
 /**
  * The places in a CSV. Its first line tells whether semicolons, commas or blanks part the columns, and
  * may name them; without names, the first three are read. A column in quotes may have any of these in
- * it. Lines that begin with # are comments; one before the first line may name the columns, too, as
- * NumPy and 3D Slicer write it.
+ * it. Lines that begin with # are comments; the last one before the first line may name the columns,
+ * too, as NumPy and 3D Slicer write it.
  */
 export function readCsvPlaces(bytes: Uint8Array): number[] {
   const text = new TextDecoder().decode(bytes);
   const places: number[] = [];
   let columns = [0, 1, 2];
+  let comment = '';
   let pattern: RegExp | undefined;
   for (const [i, line] of text.split(/\r\n|\r|\n/).entries()) {
-    if (/^\s*(#|$)/.test(line)) {
-      const names = line.replace(/^[\s#]*(columns\s*=)?/, '').trim();
-      if (!pattern) columns = columnsOf(wordsOf(names, columnPattern(names))) ?? columns;
-      continue;
-    }
+    if (/^\s*#/.test(line)) comment = line.replace(/^[\s#]*(columns\s*=)?/, '').trim();
+    if (/^\s*(#|$)/.test(line)) continue;
     const isFirst = !pattern;
     pattern ??= columnPattern(line);
     const words = wordsOf(line.trim(), pattern);
-    if (isFirst && words.slice(0, 3).some((word) => Number.isNaN(decimal(word))))
+    if (isFirst) {
+      const names = wordsOf(comment, pattern);
+      if (names.length === words.length) columns = columnsOf(names) ?? columns;
+    }
+    if (isFirst && columns.some((column) => Number.isNaN(decimal(words[column] ?? ''))))
       columns = columnsOf(words) ?? refuseNames(words, i + 1);
     else places.push(...columns.map((column, k) => numberOf(words[column], i + 1, axes[k])));
   }
