@@ -241,7 +241,7 @@ suite('hands', () => {
     await viewer.page.waitForTimeout(50);
     assert.equal(await error.isVisible(), false);
     await clickAfter({});
-    await error.filter({ hasText: /^The curvature cannot be had: .* memory\.$/ }).waitFor();
+    await error.filter({ hasText: /^The curvature cannot be computed: .* memory\.$/ }).waitFor();
   });
 
   test('too few vertices for places far apart, and a model that will not fit, are told of', async () => {

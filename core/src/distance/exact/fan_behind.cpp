@@ -64,7 +64,7 @@ FanBehind::Turn FanBehind::turnByPi(Vector2d turned, int steps, OutgoingAt outgo
 }
 
 std::span<const OppositeSide> FanBehind::sides(int vertex, int arrival, double crossing,
-                                               double length) {
+                                               double pieceLength) {
   const std::span<const int> fan = mesh_.fan(vertex);
   const bool isClosed = !mesh_.onBoundary(vertex);
   sides_.clear();
@@ -88,7 +88,7 @@ std::span<const OppositeSide> FanBehind::sides(int vertex, int arrival, double c
   // square of what it lacks, times the length of its last piece. Up to this angle, rounding may
   // take the one for the other, so the fan is wider by it. None of its paths is too short.
   const double angle =
-      std::min(kMostTurned, std::sqrt(2 * rounding_ / std::min(back.norm(), length)));
+      std::min(kMostTurned, std::sqrt(2 * rounding_ / std::min(back.norm(), pieceLength)));
   back.normalize();
   const auto widened = [&](double x, double y) { return Vector2d(x - angle * y, y + angle * x); };
   const Turn left =
