@@ -30,6 +30,14 @@ void* operator new(std::size_t bytes) {
   ++allocated;
   return block;
 }
+/// For the buffers of the standard library's stable sort.
+void* operator new(std::size_t bytes, const std::nothrow_t& /*tag*/) noexcept {
+  try {
+    return operator new(bytes);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
 void operator delete(void* block) noexcept {
   if (block) --allocated;
   std::free(block);
