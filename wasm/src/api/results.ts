@@ -388,7 +388,7 @@ export interface RemeshQuality {
   maxValence: number;
   /** The share of inner vertices with 6 neighbours. */
   regularShare: number;
-  /** The Hausdorff distance of dual and surface, in the input's units: at most 1 % too low. */
+  /** The Hausdorff distance of dual and surface, in the input's units: at most 1 % too low, unless it is tiny. */
   hausdorff: number;
 }
 

@@ -30,10 +30,12 @@ export function readCsvPlaces(bytes: Uint8Array): number[] {
     if (isFirst) {
       const names = wordsOf(comment, pattern);
       if (names.length === words.length) columns = columnsOf(names) ?? columns;
+      if (columns.some((column) => Number.isNaN(decimal(words[column] ?? '')))) {
+        columns = columnsOf(words) ?? refuseNames(words, i + 1);
+        continue;
+      }
     }
-    if (isFirst && columns.some((column) => Number.isNaN(decimal(words[column] ?? ''))))
-      columns = columnsOf(words) ?? refuseNames(words, i + 1);
-    else places.push(...columns.map((column, k) => numberOf(words[column], i + 1, axes[k])));
+    places.push(...columns.map((column, k) => numberOf(words[column], i + 1, axes[k])));
   }
   return places;
 }
