@@ -501,10 +501,7 @@ TEST(Windows, FindTheWayAroundACornerThatIsVeryNear) {
 /// straight ahead. So near to a site, rounding leaves a gap between the lines that pass the vertex
 /// on its two sides.
 TEST(Windows, FindTheWayPastAVertexThatIsVeryNear) {
-  shapes::Shape shape = shapes::grid(3, 3);
-  for (int v = 0; v < shape.vertexCount(); ++v)
-    shape.setPosition(v, shape.position(v).cwiseProduct(Eigen::Vector3d(4.2, 6.8, 0)));
-  const TriangleMesh mesh = shape.mesh();
+  const TriangleMesh mesh = shapes::scaled(shapes::grid(3, 3), {4.2, 6.8, 0}).mesh();
   for (int h = 0; h < mesh.halfedgeCount(); ++h)
     for (const double share : {1e-8, 1e-10, 1e-12}) {
       SurfacePoint site{TriangleMesh::faceOf(h), Eigen::Vector3d::Zero()};

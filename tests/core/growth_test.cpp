@@ -42,5 +42,33 @@ TEST(Growth, WorkGrowsWithTheFacesAroundAVertex) {
     EXPECT_LT(work(make(8000)), 6 * work(make(2000)));
 }
 
+/// Whether the exact distances of one site are found in so many units of work.
+bool endsWithin(long units, const TriangleMesh& mesh, const SurfacePoint& site) {
+  return propagate(mesh, {&site, 1}, Metric::kExact)->step(units);
+}
+
+/// The site at some share of the edges from corner 0 of a face.
+SurfacePoint besideCorner(int face, double share) {
+  return {face, {1 - share, 0.4 * share, 0.6 * share}};
+}
+
+/// A site beside the tip of a cone of thin faces, at 1e-11 to 1e-14 of an edge. A turn by such a
+/// face moves the site by less than the edge is rounded, and lines must turn all the same.
+TEST(Growth, LinesTurnAroundATipThatIsVeryNear) {
+  for (const int faces : {100, 400})
+    for (const double angleSum : {0.1, 0.3}) {
+      const TriangleMesh mesh = shapes::vertexFan(faces, angleSum).mesh();
+      for (const double share : {1e-11, 1e-12, 1e-13, 1e-14})
+        EXPECT_TRUE(endsWithin(100 * faces, mesh, besideCorner(0, share)))
+            << faces << " faces, angles of " << angleSum << ", site at " << share;
+    }
+}
+
+/// Squares that are stretched to needles, so that the ways along their columns tie.
+TEST(Growth, NeedlesBesideEachOtherTakeNoLongerThanTheirWindows) {
+  const TriangleMesh mesh = shapes::scaled(shapes::grid(50, 50), {1e-8, 1, 0}).mesh();
+  EXPECT_TRUE(endsWithin(100000, mesh, {mesh.faceCount() / 2, {0.3, 0.3, 0.4}}));
+}
+
 }  // namespace
 }  // namespace gvd

@@ -125,12 +125,7 @@ Shape farAlongAPlane() {
 }
 
 /// A torus of size 1e21 × 1e18 × 100.
-Shape torusOfUnequalScales() {
-  Shape shape = shapes::torus(4, 4);
-  for (int v = 0; v < shape.vertexCount(); ++v)
-    shape.setPosition(v, shape.position(v).cwiseProduct(Vector3d(5e21, 2e18, 160)));
-  return shape;
-}
+Shape torusOfUnequalScales() { return shapes::scaled(shapes::torus(4, 4), {5e21, 2e18, 160}); }
 
 /// Needles to 1e15.
 Shape needles() {

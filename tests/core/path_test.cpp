@@ -192,10 +192,7 @@ TEST(ExactPath, IsAsLongAsTheDistanceOnMechanicalParts) {
 /// Sites that are nearer to a side of their face than rounding of the lengths of edges: seen from
 /// across the side, the unfolded site may appear in front of it.
 TEST(ExactPath, IsAsLongAsTheDistanceToSitesBesideAnEdge) {
-  shapes::Shape box = shapes::cube();
-  for (int v = 0; v < box.vertexCount(); ++v)
-    box.setPosition(v, box.position(v).cwiseProduct(Eigen::Vector3d(1e-3, 1, 18)));
-  const TriangleMesh mesh = box.mesh();
+  const TriangleMesh mesh = shapes::scaled(shapes::cube(), {1e-3, 1, 18}).mesh();
   const std::vector<SurfacePoint> points = pointsOf(mesh, 20, 1);
   for (int h = 0; h < mesh.halfedgeCount(); ++h)
     for (const double share : {0.001, 0.3}) {

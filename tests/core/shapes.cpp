@@ -485,6 +485,12 @@ Shape unwelded(const Shape& shape) {
   return result;
 }
 
+Shape scaled(Shape shape, const Vector3d& axes) {
+  for (int v = 0; v < shape.vertexCount(); ++v)
+    shape.setPosition(v, shape.position(v).cwiseProduct(axes));
+  return shape;
+}
+
 Shape shuffled(const Shape& shape, std::uint64_t seed) {
   Random random(seed);
   const auto permutation = [&](int count) {

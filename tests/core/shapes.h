@@ -132,6 +132,8 @@ Shape joined(Shape a, const Shape& b);
 /// Without `count` random triangles; their vertices stay.
 Shape withoutRandomFaces(Shape shape, int count, std::uint64_t seed);
 Shape withFaceTurnedOver(Shape shape, int face);
+/// Stretched or compressed along each axis.
+Shape scaled(Shape shape, const Eigen::Vector3d& axes);
 /// Every triangle with three vertices of its own.
 Shape unwelded(const Shape& shape);
 /// Vertices and triangles in random order, corners of each triangle rotated at random.

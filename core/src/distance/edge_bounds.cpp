@@ -29,7 +29,7 @@ void EdgeBounds::offerFrom(const FaceSite& site, int face) {
   const int corner = incidenceOf(site.bary).corner;
   if (corner >= 0) return offer(mesh_.tail(3 * face + corner), site.label, 0, kNone);
   for (int i = 0; i < 3; ++i)
-    offer(mesh_.tail(3 * face + i), site.label, wayToCorner(mesh_.face(face), site.bary, i).norm(),
+    offer(mesh_.tail(3 * face + i), site.label, distanceToCorner(mesh_.face(face), site.bary, i),
           kNone);
 }
 

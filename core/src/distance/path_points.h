@@ -28,7 +28,7 @@ double distanceOverCorners(const TriangleMesh& mesh, const SurfacePoint& p, Dist
   const TriangleMesh::Face& face = mesh.face(p.face);
   double least = kInfinity;
   for (int i = 0; i < 3; ++i)
-    least = std::min(least, distanceAt(face.vertices[i]) + wayToCorner(face, p.bary, i).norm());
+    least = std::min(least, distanceAt(face.vertices[i]) + distanceToCorner(face, p.bary, i));
   return least;
 }
 

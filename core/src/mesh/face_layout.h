@@ -22,12 +22,21 @@ inline Eigen::Vector2d layOut(const TriangleMesh::Face& face, int i, const Eigen
   return alongSide + bary[cornerBefore(i)] * apexOf(face, i);
 }
 
-/// The vector from a point to a corner, in the coordinates of side 0. All callers must use this one
-/// formula: in a thin face another one would round differently, and an edge bound below the label's
-/// distance would keep every label from the vertex.
-inline Eigen::Vector2d wayToCorner(const TriangleMesh::Face& face, const Eigen::Vector3d& bary,
-                                   int corner) {
-  return layOut(face, 0, Eigen::Vector3d::Unit(corner) - bary);
+/// The vector from a point to a corner, in the coordinates of side i: from the point's shares of
+/// the two other corners, so that it is as precise beside the corner as far from it.
+inline Eigen::Vector2d wayToCorner(const TriangleMesh::Face& face, int i,
+                                   const Eigen::Vector3d& bary, int corner) {
+  Eigen::Vector3d way = -bary;
+  way[corner] = bary[cornerAfter(corner)] + bary[cornerBefore(corner)];
+  return layOut(face, i, way);
+}
+
+/// The distance from a point to a corner. All callers must use this one formula: in a thin face
+/// another one would round differently, and an edge bound below the label's distance would keep
+/// every label from the vertex.
+inline double distanceToCorner(const TriangleMesh::Face& face, const Eigen::Vector3d& bary,
+                               int corner) {
+  return wayToCorner(face, 0, bary, corner).norm();
 }
 
 }  // namespace gvd

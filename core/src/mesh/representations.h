@@ -96,7 +96,7 @@ void visitCornersAround(const TriangleMesh& mesh, const SurfacePoint& p, Visit v
   visitRepresentations(mesh, p, [&](const SurfacePoint& place) {
     const TriangleMesh::Face& face = mesh.face(place.face);
     for (int i = 0; i < 3; ++i)
-      visit(face.vertices[i], wayToCorner(face, place.bary, i).norm(),
+      visit(face.vertices[i], distanceToCorner(face, place.bary, i),
             SurfacePoint{place.face, Eigen::Vector3d::Unit(i)});
   });
 }

@@ -58,7 +58,7 @@ void UnfoldingSweep::start(const SurfacePoint& site, std::optional<double> reach
 void UnfoldingSweep::startInFace(const SurfacePoint& site, const Vector2d& firstSide) {
   const TriangleMesh::Face& face = mesh_.face(site.face);
   for (int i = 0; i < 3; ++i) {
-    const Vector2d way = wayToCorner(face, site.bary, i);
+    const Vector2d way = wayToCorner(face, 0, site.bary, i);
     const double length = way.norm();
     offer(face.vertices[i], length, turnedBy(way / length, firstSide), kFromSite);
   }

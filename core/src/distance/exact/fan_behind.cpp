@@ -63,8 +63,7 @@ FanBehind::Turn FanBehind::turnByPi(Vector2d turned, int steps, OutgoingAt outgo
   return {};
 }
 
-std::span<const OppositeSide> FanBehind::sides(int vertex, int arrival, double crossing,
-                                               double pieceLength) {
+std::span<const OppositeSide> FanBehind::sides(int vertex, int arrival, double crossing) {
   const std::span<const int> fan = mesh_.fan(vertex);
   const bool isClosed = !mesh_.onBoundary(vertex);
   sides_.clear();
@@ -87,8 +86,7 @@ std::span<const OppositeSide> FanBehind::sides(int vertex, int arrival, double c
   // A path that leaves by less than π on one side is longer than the shortest one by half the
   // square of what it lacks, times the length of its last piece. Up to this angle, rounding may
   // take the one for the other, so the fan is wider by it. None of its paths is too short.
-  const double angle =
-      std::min(kMostTurned, std::sqrt(2 * rounding_ / std::min(back.norm(), pieceLength)));
+  const double angle = std::min(kMostTurned, std::sqrt(2 * rounding_ / back.norm()));
   back.normalize();
   const auto widened = [&](double x, double y) { return Vector2d(x - angle * y, y + angle * x); };
   const Turn left =

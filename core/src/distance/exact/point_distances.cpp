@@ -136,7 +136,7 @@ double PointDistances::nearestAtLeast(const SurfacePoint& p) const {
   double nearest = 0;
   for (int i = 0; i < 3; ++i)
     nearest =
-        std::max(nearest, bounds_[face.vertices[i]].distance - wayToCorner(face, p.bary, i).norm());
+        std::max(nearest, bounds_[face.vertices[i]].distance - distanceToCorner(face, p.bary, i));
   return nearest;
 }
 

@@ -16,7 +16,8 @@ namespace gvd::exact {
 /// are longer than a turn.
 ///
 /// To look at every window would take longer than to let it spread. So windows are looked at where
-/// they enter needles, and with the labels that cross far more faces than usual.
+/// they enter needles, and with the labels that cross far more faces than usual; and no longer, on
+/// average, than it takes to spread them: what winds is found within a few turns.
 class RevisitFilter {
  public:
   explicit RevisitFilter(const TriangleMesh& mesh);
@@ -25,7 +26,7 @@ class RevisitFilter {
   void begin() {
     crossedCount_ = 0;
     isSuspicious_ = false;
-    backtracksLeft_ = 0;
+    backtracksLeft_ = kFirstBacktracks;
   }
   /// Notes that the label crosses a face, having reached some vertices so far.
   void noteCrossing(size_t reachedCount) {
@@ -35,17 +36,19 @@ class RevisitFilter {
   long takeCrossedBack() { return std::exchange(crossedBack_, 0); }
   /// Whether a window at a halfedge has been found to enter its face again.
   bool drops(const Window& w, int halfedge) {
-    if (!isNeedle_.empty() && isNeedle_[halfedge / 3]) return entersAgain(w, halfedge);
-    return isSuspicious_ && dropsSuspicious(w, halfedge);
+    const bool isAtNeedle = !isNeedle_.empty() && isNeedle_[halfedge / 3];
+    return (isAtNeedle || isSuspicious_) && dropsSuspicious(w, halfedge);
   }
 
  private:
   /// A label that crosses more halfedges per vertex than this may wind around something. Over a
   /// scanned surface, one label crosses 3.5 per vertex.
   static constexpr size_t kMostCrossingsPerVertex = 30;
-  /// The average number of faces that each window of such a label may be followed back across: what
-  /// winds is found within a few turns, and following takes no longer than spreading.
-  static constexpr long kBacktracksPerWindow = 1;
+  /// Windows may be followed back across so many faces in all, and across so many more for each
+  /// window that is looked at. The first number is large enough for every label to be looked at
+  /// throughout but on meshes with thousands of needles beside each other, where millions of
+  /// windows tie.
+  static constexpr long kFirstBacktracks = 1 << 17, kBacktracksPerWindow = 1;
 
   bool dropsSuspicious(const Window& w, int halfedge);
   bool entersAgain(const Window& w, int halfedge);
@@ -58,7 +61,7 @@ class RevisitFilter {
   size_t crossedCount_ = 0;  ///< of batches
   bool isSuspicious_ = false;
   long crossedBack_ = 0;  ///< what `takeCrossedBack` returns next
-  /// Faces across which windows of the suspicious label may still be followed back.
+  /// Faces across which windows of the label may still be followed back.
   long backtracksLeft_ = 0;
 };
 

@@ -53,8 +53,12 @@ inline double rankOf(const PathLength& path) {
 ///             \  /
 ///            source
 struct Window {
-  double begin, end;      ///< along the halfedge, from its tail
-  double x, y;            ///< the virtual source, unfolded
+  double begin, end;  ///< along the halfedge, from its tail
+  double x, y;        ///< the virtual source, unfolded
+  /// How far the source is from the tip: the halfedge's length - x, but as precise beside the tip
+  /// as x is beside the tail. So lines turn precisely around a vertex that is very near to the
+  /// source.
+  double fromTip;
   double sourceDistance;  ///< of the virtual source from the site; 0: the source is the site
   /// If the source is the site, the angle of the halfedge in the site's frame; otherwise the angle
   /// at which the shortest path to the source leaves the site.
@@ -91,12 +95,13 @@ struct Window {
   double distance(double px, double py) const { return path(px, py).length; }
 };
 
-/// Where the rays from (x, y), y < 0, through two points (at, 0) meet the side that leaves the
-/// origin under an angle of the given cosine and sine, as distances from the origin, in
-/// [0, length]. The rays are known to meet the side or, by rounding, to pass an end of it.
-inline Lanes meetSide(Lanes at, double x, double y, double cosine, double sine, double length) {
+/// Where the rays through two points (at, 0), from a source `ahead` before them along the x axis,
+/// at y < 0, meet the side that leaves the origin under an angle of the given cosine and sine, as
+/// distances from the origin, in [0, length]. The rays are known to meet the side or, by rounding,
+/// to pass an end of it.
+inline Lanes meetSide(Lanes at, Lanes ahead, double y, double cosine, double sine, double length) {
   const Lanes numerator = -at * y;
-  const Lanes denominator = -cosine * y - sine * (at - x);
+  const Lanes denominator = -cosine * y - sine * ahead;
   const Lanes meets = denominator * length > numerator ? numerator / denominator : both(length);
   return at > 0.0 ? meets : both(0);
 }
@@ -111,24 +116,29 @@ template <Side kSide>
 [[gnu::always_inline]] inline Window windowBeyond(const Window& w, const TriangleMesh::Face& face,
                                                   int i, double crossing) {
   const int j = cornerAfter(i), k = cornerBefore(i);
+  const double length = face.lengths[i];
+  // Begin and end, as seen from the source along the halfedge: the begin by the tail and the end by
+  // the tip, since there windows begin and end that pass a vertex, which may be very near.
+  const Lanes ahead = Lanes{w.begin, w.fromTip} - Lanes{w.x, length - w.end};
   Window beyond;
   beyond.sourceDistance = w.sourceDistance;
   if constexpr (kSide == Side::kLeft) {
     const double c = face.cosines[i], s = face.sines[i], side = face.lengths[k];
-    const Lanes met = meetSide(Lanes{w.begin, w.end}, w.x, w.y, c, s, side);
+    const Lanes met = meetSide(Lanes{w.begin, w.end}, ahead, w.y, c, s, side);
     beyond.begin = met[0];
     beyond.end = crossing < w.end ? side : met[1];
     beyond.x = w.x * c + w.y * s;
     beyond.y = w.y * c - w.x * s;
+    beyond.fromTip = side - beyond.x;
     beyond.direction = w.direction + (w.isFromSite() ? face.angles[i] : 0);
   } else {
     const double c = face.cosines[j], s = face.sines[j], side = face.lengths[j];
-    const double length = face.lengths[i], x = length - w.x;
-    const Lanes met = meetSide(Lanes{length - w.begin, length - w.end}, x, w.y, c, s, side);
+    const Lanes met = meetSide(length - Lanes{w.begin, w.end}, -ahead, w.y, c, s, side);
     beyond.begin = crossing > w.begin ? 0 : side - met[0];
     beyond.end = side - met[1];
-    beyond.x = side - (x * c + w.y * s);
-    beyond.y = w.y * c - x * s;
+    beyond.fromTip = w.fromTip * c + w.y * s;
+    beyond.x = side - beyond.fromTip;
+    beyond.y = w.y * c - w.fromTip * s;
     beyond.direction = w.direction - (w.isFromSite() ? face.angles[j] : 0);
   }
   return beyond;
@@ -148,7 +158,7 @@ struct EdgeDistances {
 /// makes a distance wrong, a superfluous one does not.
 inline void trim(Window& w, double length, const EdgeDistances& ends) {
   const Lanes atEnds = {ends.atTail, ends.atTip};
-  const Lanes along = {w.x, length - w.x};  // the source, from each end towards the other one
+  const Lanes along = {w.x, w.fromTip};  // the source, from each end towards the other one
   const Lanes lead = atEnds - w.sourceDistance + kDistanceTolerance * (atEnds + length);
   const Lanes approach = lead + along;
   const Lanes excess = approach * (along - lead) + w.y * w.y;  // |source, end|² - lead²

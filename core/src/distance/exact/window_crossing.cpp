@@ -18,8 +18,9 @@ namespace gvd::exact {
 namespace {
 
 /// How far a virtual source is at least behind its halfedge, as a share of the halfedge: rounding
-/// must not put it on the line of the halfedge, since crossings are divided by the depth.
-constexpr double kLeastDepth = 0x1p-52;
+/// must not put it on the line of the halfedge, since crossings are divided by the depth. Too
+/// little to turn a line, however near the source is to an end of the halfedge.
+constexpr double kLeastDepth = 0x1p-200;
 
 }  // namespace
 

@@ -153,7 +153,7 @@ void WindowSweep::addPoint(const SurfacePoint& p, int index) {
   const TriangleMesh::Face& face = mesh_.face(p.face);
   for (int i = 0; i < 3; ++i)
     required_.lower(index,
-                    vertices_.distance(face.vertices[i]) + wayToCorner(face, p.bary, i).norm());
+                    vertices_.distance(face.vertices[i]) + distanceToCorner(face, p.bary, i));
 }
 
 /// Offers the paths through a window to the required points of its face.
@@ -169,7 +169,7 @@ void WindowSweep::offerToPointsFrom(int corner, int f) {
   const TriangleMesh::Face& face = mesh_.face(f);
   for (const auto& p : points_.in(f))
     required_.lower(p.index, vertices_.distance(face.vertices[corner]) +
-                                 wayToCorner(face, p.bary, corner).norm());
+                                 distanceToCorner(face, p.bary, corner));
 }
 
 // --- Which windows go on -------------------------------------------------------------------------

@@ -16,7 +16,7 @@ LabelState WindowSweep::search(const SurfacePoint& p, const SearchBounds& bounds
   visitRepresentations(mesh_, p, [&](const SurfacePoint& place) {
     const TriangleMesh::Face& face = mesh_.face(place.face);
     for (int i = 0; i < 3; ++i)
-      search_.offerVertex(face.vertices[i], wayToCorner(face, place.bary, i).norm());
+      search_.offerVertex(face.vertices[i], distanceToCorner(face, place.bary, i));
     search_.visitSites(place.face, [&](const FaceSite& site) {
       search_.offerSite(site.label, layOut(face, 0, site.bary - place.bary).norm());
     });

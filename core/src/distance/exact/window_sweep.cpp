@@ -29,10 +29,6 @@ constexpr double kBucketsPerEdge = 1.5;
 /// 2^-53.
 constexpr double kRoundingOfLines = 0x1p-50;
 
-/// A vertex is near to a source if their distance is at most this share of the vertex's longest
-/// edge. Beyond, `kRoundingOfLines` is an angle of less than 1e-9.
-constexpr double kNear = 1e-6;
-
 /// Ties at distances beyond this many bounding diagonals may be missed.
 constexpr double kFarthestTie = 8;
 
@@ -42,8 +38,7 @@ WindowSweep::WindowSweep(const TriangleMesh& mesh, const SiteSet& sites, Nearest
     : mesh_(mesh),
       sites_(sites),
       bounds_(bounds),
-      longestEdge_(longestEdge(mesh)),
-      leastGrazing_(kRoundingOfLines * longestEdge_),
+      leastGrazing_(kRoundingOfLines * longestEdge(mesh)),
       tieMargin_(kDistanceTolerance * kFarthestTie * mesh.boundingDiagonal()),
       fan_(mesh, leastGrazing_),
       revisits_(mesh),
@@ -154,16 +149,17 @@ void WindowSweep::startAt(const SurfacePoint& site) {
 /// starts a window through the side. `angle` is that of the side in the site's frame.
 void WindowSweep::startAtSide(const SurfacePoint& site, int i, double angle, bool isOnSide) {
   const TriangleMesh::Face& face = mesh_.face(site.face);
-  const Eigen::Vector2d s = layOut(face, i, site.bary);
-  const Eigen::Vector2d toApex = apexOf(face, i) - s;
-  const double below = toApex.y() > 0 ? s.x() - toApex.x() * (s.y() / toApex.y()) : s.x();
-  offer(face.vertices[cornerBefore(i)], wayToCorner(face, site.bary, cornerBefore(i)).norm(),
-        {std::clamp(below, 0.0, face.lengths[i]), 0, angle, 3 * site.face + i});
+  const auto to = [&](int corner) { return wayToCorner(face, i, site.bary, corner); };
+  const Eigen::Vector2d toTail = to(i), toTip = to(cornerAfter(i)), toApex = to(cornerBefore(i));
+  const double onwards = toApex.y() > 0 ? toApex.x() * (toTail.y() / toApex.y()) : 0;
+  offer(face.vertices[cornerBefore(i)], distanceToCorner(face, site.bary, cornerBefore(i)),
+        {std::clamp(onwards - toTail.x(), 0.0, face.lengths[i]), 0, angle, 3 * site.face + i});
   if (isOnSide || face.twins[i] < 0) return;
   Window window = {.begin = 0,
                    .end = face.lengths[i],
-                   .x = face.lengths[i] - s.x(),
-                   .y = -s.y(),
+                   .x = toTip.x(),
+                   .y = toTip.y(),
+                   .fromTip = -toTail.x(),
                    .sourceDistance = 0,
                    .direction = angle + kPi};
   add(window, portal(face.twins[i], face.lengths[i], endAt(face.vertices[cornerAfter(i)]),
@@ -180,13 +176,6 @@ void WindowSweep::startAcross(const SurfacePoint& site, int side, double angle) 
   }
 }
 
-/// Whether a vertex is so near to a source that rounding leaves a gap between the windows that pass
-/// it on its two sides. The vertex as a source itself covers the gap, and makes no path longer than
-/// by rounding.
-inline bool WindowSweep::isNear(int v, double length) const {
-  return length < kNear * longestEdge_ && length < kNear * mesh_.longestEdge(v);
-}
-
 void WindowSweep::offer(int v, double distance, const LastPiece& piece) {
   Vertex& own = vertices_.reach(v);
   if (!(rankOf({distance, piece.kind}) < rankOf({own.distance, own.piece.kind}))) return;
@@ -198,8 +187,7 @@ void WindowSweep::offer(int v, double distance, const LastPiece& piece) {
   }
   if (own.isRequired()) required_.lower(own.required, distance);
   if (points_.isEmpty()) bounds_.lower(v, label_, distance);
-  if (own.isSaddle || piece.isAtSite() || isNear(v, distance - piece.sourceDistance))
-    queueSource(v);
+  if (own.isSaddle || piece.isAtSite()) queueSource(v);
 }
 
 /// The angle at which the path to a vertex leaves the site.
@@ -247,8 +235,7 @@ void WindowSweep::becomeSource(int v) {
     waiting_.sources.push_back(v);
     return;
   }
-  const auto sides =
-      fan_.sides(v, own.piece.arrival, own.piece.crossing, own.distance - own.piece.sourceDistance);
+  const auto sides = fan_.sides(v, own.piece.arrival, own.piece.crossing);
   if (sides.empty()) return;
   const bool isSite = own.piece.isAtSite();
   double direction =
@@ -288,8 +275,9 @@ void WindowSweep::emit(int v, const OppositeSide& side, double direction) {
   if (face.twins[j] < 0) return;
   Window window = {.begin = length - side.to,
                    .end = length - side.from,
-                   .x = length - face.lengths[i] * face.cosines[j],
+                   .x = face.lengths[k] * face.cosines[k],
                    .y = -face.lengths[i] * face.sines[j],
+                   .fromTip = face.lengths[i] * face.cosines[j],
                    .sourceDistance = distance,
                    .direction = isSite ? direction - mesh_.cornerAngle(3 * f + j) : direction};
   add(window, portal(face.twins[j], length, endAt(face.vertices[k]), endAt(face.vertices[j])));

@@ -126,7 +126,6 @@ class WindowSweep {
   void startAtSide(const SurfacePoint& site, int i, double angle, bool isOnSide);
   void startAcross(const SurfacePoint& site, int side, double angle);
   void offer(int vertex, double distance, const LastPiece& piece);
-  bool isNear(int vertex, double length) const;
   double directionAt(int vertex) const;
   void queueSource(int vertex);
   void queueBatch(int halfedge, double key);
@@ -176,7 +175,6 @@ class WindowSweep {
   const TriangleMesh& mesh_;
   const SiteSet& sites_;
   NearestBounds& bounds_;
-  const double longestEdge_;   ///< of the mesh
   const double leastGrazing_;  ///< by which lines round that have crossed the longest edge
   /// A label spreads on while it is farther than another one by at most this. Two labels that tie
   /// at a distance d may differ here by `kDistanceTolerance` · d, because the difference does not
