@@ -492,6 +492,8 @@ test('a broken OBJ, OFF, PLY or STL says in which line or at which byte', async 
   for (const [file, message] of [
     ['v 0 0 0', /the OBJ has no faces/],
     ['v 0 0 0\nv 1 x 0', /^line 2: 'x' is no number/],
+    ['v 0 0 0\nv 1 0x10 0', /^line 2: '0x10' is no number/],
+    ['v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0x1 2 3', /^line 4: '0x1' names no vertex/],
     ['v 0 0 0\nv 1 0', /^line 2: a number is missing after 'v 1 0'/],
     ['v 0 0 0\nf 1 2 0', /^line 2: '0' names no vertex/],
     ['v 0 0 0\nf 1 1 -2', /^line 2: '-2' names no vertex/],
@@ -508,6 +510,7 @@ test('a broken OBJ, OFF, PLY or STL says in which line or at which byte', async 
     ],
     ['OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1', /the OFF has no faces of three corners/],
     ['OFF\n3 x 0', /^line 2: 'x' is no number of vertices or faces/],
+    ['OFF\n0x3 1 0', /^line 2: '0x3' is no number of vertices or faces/],
     ['OFF\n3', /^line 2: a number is missing after '3'/],
     ['OFF', /^line 1: the OFF is truncated: it ends after its keyword/],
     ['4OFF\n1 1 1', /^line 1: '4OFF' is a kind of OFF that is not read/],

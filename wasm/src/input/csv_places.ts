@@ -3,11 +3,9 @@
 // Places in a table of text: x, y and z in a line each.
 
 import { show } from '../base/checks.js';
+import { decimal } from '../base/decimal.js';
 
 const axes = ['x', 'y', 'z'];
-
-/** NaN for all but decimal numbers: `Number` reads 0x10, too. */
-const decimal = (word: string) => (/^[-+]?0[box]/i.test(word) ? NaN : Number(word));
 
 /**
  * The places in a CSV. Its first line tells whether semicolons, commas or blanks part the columns, and

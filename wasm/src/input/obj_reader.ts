@@ -6,6 +6,7 @@
 
 import { invalidFile } from '../api/errors.js';
 import type { SlicedWork } from '../base/slices.js';
+import { decimal } from '../base/decimal.js';
 import type { ReadModel } from '../base/triangles.js';
 import { GrowingArray } from '../base/growing_array.js';
 import { requireVertices, type SizeLimits } from './limits.js';
@@ -93,7 +94,7 @@ class ObjReader {
 
   #vertexOf(corner: string): number {
     const slash = corner.indexOf('/');
-    const number = Number(slash < 0 ? corner : corner.slice(0, slash));
+    const number = decimal(slash < 0 ? corner : corner.slice(0, slash));
     const vertex = number < 0 ? this.#vertexCount + number : number - 1;
     if (!Number.isInteger(number) || vertex < 0 || vertex >= this.#limits.maxVertices) {
       throw this.#words.fault(`'${corner.slice(0, 40)}' names no vertex`);

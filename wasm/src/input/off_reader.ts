@@ -5,6 +5,7 @@
 
 import { invalidFile } from '../api/errors.js';
 import type { SlicedWork } from '../base/slices.js';
+import { decimal } from '../base/decimal.js';
 import type { ReadModel } from '../base/triangles.js';
 import { GrowingArray } from '../base/growing_array.js';
 import { requireTriangles, requireVertices, type SizeLimits } from './limits.js';
@@ -88,7 +89,7 @@ class OffWords extends TextWords {
   }
 
   countOf(word: string | undefined): number {
-    const count = Number(word);
+    const count = decimal(word ?? '');
     if (word !== undefined && Number.isInteger(count) && count >= 0) return count;
     throw this.fault(
       word === undefined

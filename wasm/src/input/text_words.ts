@@ -4,6 +4,7 @@
 // a line of it, only a small part of it is a string at a time.
 
 import { type GeodesicVoronoiError, invalidFile } from '../api/errors.js';
+import { decimal } from '../base/decimal.js';
 
 /** Lines that are read between two places where the work can be interrupted. */
 export const linesPerStep = 64;
@@ -94,7 +95,7 @@ export class TextWords {
   }
 
   numberOf(word: string): number {
-    const number = Number(word);
+    const number = decimal(word);
     if (!Number.isNaN(number)) return number;
     if (/^[-+]?(nan|inf)/i.test(word)) return NaN;
     throw this.fault(`'${shortened(word)}' is no number`);
