@@ -25,7 +25,6 @@ class SmallLists {
     return {items_.data() + lists_[i].first, lists_[i].size};
   }
   std::span<Item> operator[](int i) { return {items_.data() + lists_[i].first, lists_[i].size}; }
-  bool empty(int i) const { return lists_[i].size == 0; }
 
   void clear(int i) { lists_[i].size = 0; }
   /// Inserts before the item at `position`.
@@ -36,12 +35,6 @@ class SmallLists {
     std::copy_backward(first + position, first + list.size, first + list.size + 1);
     first[position] = item;
     ++list.size;
-  }
-  void erase(int i, size_t position) {
-    List& list = lists_[i];
-    const auto first = items_.begin() + list.first;
-    std::copy(first + position + 1, first + list.size, first + position);
-    --list.size;
   }
   template <class Predicate>
   void eraseIf(int i, Predicate predicate) {

@@ -35,7 +35,6 @@ using Faces = std::vector<TriangleMesh::Face>;
 inline int tailOf(const Faces& faces, int h) { return faces[h / 3].vertices[h % 3]; }
 inline int tipOf(const Faces& faces, int h) { return faces[h / 3].vertices[cornerAfter(h % 3)]; }
 inline int& twinOf(Faces& faces, int h) { return faces[h / 3].twins[h % 3]; }
-inline int twinOf(const Faces& faces, int h) { return faces[h / 3].twins[h % 3]; }
 inline int tailOf(const std::vector<Corners>& triangles, int h) { return triangles[h / 3][h % 3]; }
 inline int tipOf(const std::vector<Corners>& triangles, int h) {
   return triangles[h / 3][cornerAfter(h % 3)];
