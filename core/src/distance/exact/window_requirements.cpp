@@ -62,9 +62,9 @@ void WindowSweep::requireCorners(int f, double atMost) {
 }
 
 bool WindowSweep::hasRequiredCorner(int f) const {
-  const TriangleMesh::Face& face = mesh_.face(f);
-  return vertices_[face.vertices[0]].isRequired() | vertices_[face.vertices[1]].isRequired() |
-         vertices_[face.vertices[2]].isRequired();
+  bool isAny = false;
+  for (const int v : mesh_.face(f).vertices) isAny |= vertices_[v].isRequired();
+  return isAny;
 }
 
 /// Offers the corners of a face the paths along its sides from other corners.
