@@ -38,24 +38,19 @@ inline double areaShare(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-/// The squared length of a difference of barycentric coordinates, clamped because rounding may make
-/// it negative. Computed from the two shorter sides, which cancel less in thin faces, and from two
-/// coordinates only, because all three sum to zero only up to rounding.
-inline double squaredLength(const Eigen::Vector3d& difference, const std::array<double, 3>& sides) {
+/// The squared distance between two points of one face, along the face; clamped because rounding
+/// may make it negative. Computed from the two shorter sides, which cancel less in thin faces, and
+/// from two coordinates of the difference only, because all three sum to zero only up to rounding.
+inline double squaredDistance(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                              const std::array<double, 3>& sides) {
   const int longest = sides[0] >= sides[1] && sides[0] >= sides[2] ? 0
                       : sides[1] >= sides[2]                       ? 1
                                                                    : 2;
   const int next = cornerAfter(longest), previous = cornerBefore(longest);
-  const double u = difference[longest], v = difference[next];
+  const double u = a[longest] - b[longest], v = a[next] - b[next];
   const double twiceDot = sides[previous] + sides[next] - sides[longest];
   const double s = u * u * sides[previous] + v * v * sides[next] + u * v * twiceDot;
   return s > 0 ? s : 0;
-}
-
-/// The squared distance between two points of one face, along the face.
-inline double squaredDistance(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                              const std::array<double, 3>& sides) {
-  return squaredLength(a - b, sides);
 }
 
 /// Σ bᵢ bⱼ |eᵢⱼ|²: by how much squared distances, interpolated linearly, exceed those in the plane.
