@@ -114,7 +114,7 @@ bool SiteDistances::forget(long& budget) {
 }
 
 /// Forgets the distance of a label at a vertex. Other labels that have reached the vertex may have
-/// to go on, so they are resumed: the neighbours, and labels that tie with a neighbour farther on.
+/// stopped there, because it was nearer; they are resumed.
 void SiteDistances::forgetAt(int label, const ReachedVertex& r) {
   known_.noteLeavingFrom(r.vertex, label);
   // Once per vertex, even if all labels reach it and all are forgotten.
