@@ -85,10 +85,10 @@ struct Diagram {
   /// mixed even if one region owns all of it: it then has one cell, with the meeting point as a
   /// corner.
   std::vector<int> faceLabel;
-  /// Region triangles on all of which two or more labels tie, given to the lowest of these labels.
-  /// They lie behind saddle vertices and boundary corners at the same distance from several sites,
-  /// because the shortest paths from all these sites go on alike from there. Sites at the same
-  /// place tie on all of their region.
+  /// Region triangles on all of which two or more labels tie, given to the lowest of these labels;
+  /// ascending. They lie behind saddle vertices and boundary corners at the same distance from
+  /// several sites, because the shortest paths from all these sites go on alike from there. Sites
+  /// at the same place tie on all of their region.
   std::vector<int> indifferentFaces;
 
   /// The parts of mixed faces: convex polygons, counterclockwise, ascending by face. A point on the
