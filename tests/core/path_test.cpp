@@ -203,6 +203,23 @@ TEST(ExactPath, IsAsLongAsTheDistanceToSitesBesideAnEdge) {
     }
 }
 
+/// Across a flat grid of needles: a line that is turned by a needle's short side keeps its
+/// direction.
+TEST(ExactPath, IsAsLongAsTheDistanceAcrossNeedles) {
+  const TriangleMesh mesh = shapes::scaled(shapes::grid(2, 3), {1e-8, 1, 0}).mesh();
+  const auto at = [](int face, double a, double b) {
+    return SurfacePoint{face, {a, b, 1 - a - b}};
+  };
+  for (int from = 0; from < mesh.faceCount(); ++from)
+    for (int to = 0; to < mesh.faceCount(); ++to)
+      for (const double share : {1e-3, 0.4}) {
+        const SurfacePoint p = at(from, 0.3, share), q = at(to, share, 0.3);
+        EXPECT_NEAR(lengthOf(mesh, shortestPath(mesh, p, q)),
+                    (mesh.position(p) - mesh.position(q)).norm(), 1e-12)
+            << "faces " << from << " and " << to << ", share " << share;
+      }
+}
+
 /// Also to sites that are not the nearest, as far as they are known.
 TEST(ExactPath, LeadsToEveryKnownSite) {
   for (int seed = 0; seed < 60; ++seed) {
