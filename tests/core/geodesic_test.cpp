@@ -518,6 +518,32 @@ TEST(Windows, FindTheWayPastAVertexThatIsVeryNear) {
     }
 }
 
+/// In the plane, from sites on an edge that is 1e-5 of its neighbours, so near to its vertex that
+/// the neighbours round the difference away: the line to an apex beyond crosses them within
+/// rounding of the vertex, and windows go on along its other side all the same.
+TEST(Windows, GoOnBesideAVertexThatIsNearerThanRounding) {
+  constexpr double kShort = 1e-5;
+  const shapes::Shape grid = shapes::grid(4, 4);
+  const TriangleMesh plain = grid.mesh();
+  for (int h = 0; h < plain.halfedgeCount(); ++h) {
+    const int near = plain.tail(h), moved = plain.tip(h);
+    if (plain.onBoundary(near) || plain.onBoundary(moved)) continue;
+    shapes::Shape shape = grid;
+    shape.setPosition(moved, (1 - kShort) * grid.position(near) + kShort * grid.position(moved));
+    const TriangleMesh mesh = shape.mesh();
+    for (const double share : {1e-10, 1e-11, 1e-12, 1e-13}) {
+      SurfacePoint site{TriangleMesh::faceOf(h), Eigen::Vector3d::Zero()};
+      site.bary[h % 3] = 1 - share;
+      site.bary[cornerAfter(h % 3)] = share;
+      const auto field = inSlices(mesh, {site}, Metric::kExact, 1L << 40);
+      for (int v = 0; v < mesh.vertexCount(); ++v)
+        EXPECT_NEAR(field->at(v).front().distance, (mesh.position(v) - mesh.position(site)).norm(),
+                    1e-14)
+            << "halfedge " << h << ", share " << share << ", vertex " << v;
+    }
+  }
+}
+
 // --- Directions ----------------------------------------------------------------------------------
 
 /// In the plane they are known: whether the site lies in a face, on an edge or at a vertex.

@@ -10,6 +10,7 @@
 // that the processor predicts wrongly costs as much as a division: so numbers are chosen, where it
 // is possible, instead of branches.
 #include <algorithm>
+#include <cmath>
 
 #include "distance/exact/window_sweep.h"
 #include "mesh/face_layout.h"
@@ -21,6 +22,21 @@ namespace {
 /// must not put it on the line of the halfedge, since crossings are divided by the depth. Too
 /// little to turn a line, however near the source is to an end of the halfedge.
 constexpr double kLeastDepth = 0x1p-200;
+
+/// How far rounding may move the place where a line crosses a halfedge, as a share of the halfedge.
+constexpr double kCrossingRounding = 0x1p-50;
+
+/// Where the line from a window's source to the apex crosses the halfedge: on the true side of the
+/// window's end. From the tail alone, a line that passes a very near tip seems to cross at the tip,
+/// and the windows beyond it would be lost. So beside the end, the place as measured from the tip
+/// decides. A window that begins at a very near vertex begins at the tail, where the place is
+/// precise.
+inline double crossingToApex(const Window& w, const Eigen::Vector2d& apex, double length) {
+  const double at = w.crossing(apex.x(), apex.y());
+  if (std::abs(at - w.end) > kCrossingRounding * length) return at;
+  const double fromTip = w.fromTip + (length - apex.x() - w.fromTip) * (-w.y / (apex.y() - w.y));
+  return fromTip > length - w.end ? std::min(at, std::nextafter(w.end, 0.0)) : std::max(at, w.end);
+}
 
 }  // namespace
 
@@ -54,7 +70,7 @@ void WindowSweep::offerToApex(int h, std::span<const Window> windows) {
   if (toApex_.size() < windows.size()) toApex_.resize(windows.size());
   for (size_t n = 0; n < windows.size(); ++n) {
     const Window& w = windows[n];
-    const double crossing = w.crossing(p.x(), p.y());
+    const double crossing = crossingToApex(w, p, face.lengths[i]);
     toApex_[n] = {crossing, -kInfinity};
     if (!((crossing >= w.begin - grazed) & (crossing <= w.end + grazed))) continue;
     const PathLength path = w.path(p.x(), p.y());
