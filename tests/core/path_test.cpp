@@ -220,6 +220,28 @@ TEST(ExactPath, IsAsLongAsTheDistanceAcrossNeedles) {
       }
 }
 
+/// Around a box that is 1e-8 thick, to its vertices: the last piece to a vertex may be so short
+/// beside the halfedge that it crosses, and shows the way back to the site all the same.
+TEST(ExactPath, FollowsAShortLastPieceBack) {
+  const TriangleMesh mesh = shapes::scaled(shapes::cube(), {1e-8, 1, 1}).mesh();
+  for (const SurfacePoint& site : sampleUniform(mesh, 40, 1)) {
+    const auto field = fieldOf(mesh, {site}, Metric::kExact);
+    const Eigen::Vector3d origin = mesh.position(mesh.tail(3 * site.face));
+    const Eigen::Vector3d x = (mesh.position(mesh.tip(3 * site.face)) - origin).normalized();
+    const Eigen::Vector3d apex = mesh.position(mesh.tail(3 * site.face + 2)) - origin;
+    const Eigen::Vector3d y = (apex - x.dot(apex) * x).normalized();
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+      const Path path = field->path(0, pointAtVertex(mesh, v));
+      EXPECT_NEAR(lengthOf(mesh, path), field->at(v).front().distance, 1e-13);
+      const Eigen::Vector3d way =
+          (mesh.position(path[path.size() - 2]) - mesh.position(site)).normalized();
+      const Eigen::Vector2d direction = field->direction(0, v);
+      EXPECT_NEAR(direction.x(), x.dot(way), 1e-10);
+      EXPECT_NEAR(direction.y(), y.dot(way), 1e-10);
+    }
+  }
+}
+
 /// Also to sites that are not the nearest, as far as they are known.
 TEST(ExactPath, LeadsToEveryKnownSite) {
   for (int seed = 0; seed < 60; ++seed) {

@@ -63,7 +63,7 @@ FanBehind::Turn FanBehind::turnByPi(Vector2d turned, int steps, OutgoingAt outgo
   return {};
 }
 
-std::span<const OppositeSide> FanBehind::sides(int vertex, int arrival, double crossing) {
+std::span<const OppositeSide> FanBehind::sides(int vertex, int arrival, double fromFoot) {
   const std::span<const int> fan = mesh_.fan(vertex);
   const bool isClosed = !mesh_.onBoundary(vertex);
   sides_.clear();
@@ -80,7 +80,8 @@ std::span<const OppositeSide> FanBehind::sides(int vertex, int arrival, double c
   const TriangleMesh::Face& face = mesh_.face(fan[in] / 3);
   const int i = fan[in] % 3;
   const double c = face.cosines[i], s = face.sines[i];
-  const double share = crossing / face.lengths[cornerAfter(i)];
+  const double foot = face.lengths[i] * face.cosines[cornerAfter(i)];
+  const double share = (foot + fromFoot) / face.lengths[cornerAfter(i)];
   const double toPrevious = share * face.lengths[cornerBefore(i)];
   Vector2d back((1 - share) * face.lengths[i] + toPrevious * c, toPrevious * s);
   // A path that leaves by less than π on one side is longer than the shortest one by half the

@@ -27,9 +27,9 @@ class FanBehind {
   FanBehind(const TriangleMesh& mesh, double rounding) : mesh_(mesh), rounding_(rounding) {}
 
   /// The parts of the opposite sides that the vertex sees. The path to the vertex enters its last
-  /// face across the halfedge `arrival`, of which the vertex is the apex, at `crossing`. Arrival
+  /// face across the halfedge `arrival`, at `fromFoot` from the foot of the vertex on it. Arrival
   /// -1: the path starts at the vertex, which sees all sides. Valid until the next call.
-  std::span<const OppositeSide> sides(int vertex, int arrival, double crossing);
+  std::span<const OppositeSide> sides(int vertex, int arrival, double fromFoot);
 
  private:
   /// The end of a turn by π, begun in the face that the path arrives by: the number of faces

@@ -11,7 +11,9 @@ namespace gvd::exact {
 
 /// The last piece of the path that gives a label's distance at a vertex.
 struct LastPiece {
-  double crossing = 0;        ///< where the path crosses `arrival`, from its tail
+  /// Where the path crosses `arrival`, from the foot of the vertex on it: so the piece has a
+  /// precise direction even if it is much shorter than the halfedge.
+  double fromFoot = 0;
   double sourceDistance = 0;  ///< of the last vertex at which the path turns; 0: it runs straight
   /// If the path runs straight, the angle of `arrival` in the site's frame; otherwise the angle at
   /// which the path leaves the site.

@@ -77,6 +77,8 @@ struct Window {
   }
   /// Where the line from the source to a point of the face crosses the halfedge.
   double crossing(double px, double py) const { return x + (px - x) * (-y / (py - y)); }
+  /// The same from the foot of the point on the halfedge.
+  double crossingFromFoot(double px, double py) const { return (x - px) * (py / (py - y)); }
   /// The length of the straight line to a point of the face.
   double straightTo(double px, double py) const {
     return sourceDistance + std::sqrt((px - x) * (px - x) + (py - y) * (py - y));

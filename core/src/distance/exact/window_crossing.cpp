@@ -76,7 +76,8 @@ void WindowSweep::offerToApex(int h, std::span<const Window> windows) {
     const PathLength path = w.path(p.x(), p.y());
     if ((crossing > w.begin + grazed) & (crossing < w.end - grazed))
       toApex_[n].length = path.length;
-    offer(apex, path.length, {crossing, w.sourceDistance, w.direction, h, path.kind});
+    offer(apex, path.length,
+          {w.crossingFromFoot(p.x(), p.y()), w.sourceDistance, w.direction, h, path.kind});
   }
 }
 
@@ -136,6 +137,7 @@ void WindowSweep::crossSide(int h, std::span<const Window> windows, const Portal
   const bool isApexFromHere = apex.piece.arrival == h;
   const double longest = apex.distance + kDistanceTolerance * (apex.distance + face.lengths[i]);
   const bool isBent = apex.piece.kind == PathKind::kBent;
+  const double lastCrossing = apexOf(face, i).x() + apex.piece.fromFoot;
 
   if (children_.size() < windows.size()) children_.resize(windows.size());
   size_t count = 0;
@@ -144,11 +146,11 @@ void WindowSweep::crossSide(int h, std::span<const Window> windows, const Portal
     const auto [crossing, length] = toApex_[n];
     const bool leaves = kLeft ? crossing > w.begin : crossing < w.end;
     const bool isDominated =
-        isApexFromHere & (length > longest) & ((crossing < apex.piece.crossing) != kLeft);
+        isApexFromHere & (length > longest) & ((crossing < lastCrossing) != kLeft);
     if (!leaves || (isDominated && !isBent)) continue;
     Window part = w;
     if (isDominated) {
-      (kLeft ? part.end : part.begin) = apex.piece.crossing;
+      (kLeft ? part.end : part.begin) = lastCrossing;
       if (!(part.begin < part.end)) continue;
     }
     Window beyond = windowBeyond<kSide>(part, face, i, crossing);

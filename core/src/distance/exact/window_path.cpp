@@ -117,10 +117,10 @@ WindowPath::Piece WindowPath::lastPiece(int vertex) const {
   const TriangleMesh::Face& face = mesh_.face(last.arrival / 3);
   const int i = last.arrival % 3;
   const Vector2d apex = apexOf(face, i);
-  const Vector2d crossing(std::clamp(last.crossing, 0.0, face.lengths[i]), 0);
+  const double crossing = std::clamp(apex.x() + last.fromFoot, 0.0, face.lengths[i]);
   const double length = distanceAt(vertex) - last.sourceDistance;
-  const Vector2d source = apex + (crossing - apex).normalized() * length;
-  return {{last.arrival, crossing.x(), source}, last.sourceDistance};
+  const Vector2d source = apex + Vector2d(last.fromFoot, -apex.y()).normalized() * length;
+  return {{last.arrival, crossing, source}, last.sourceDistance};
 }
 
 // --- A straight line ---------------------------------------------------------------------------

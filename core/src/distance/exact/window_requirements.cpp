@@ -75,16 +75,16 @@ void WindowSweep::offerAlongSides(int f) {
     const double distance = vertices_[v].distance;
     // All neighbours of a site on a vertex know it.
     if (distance == kInfinity || vertices_[v].piece.isAtSite()) continue;
-    const auto offerTo = [&](int corner, double length, int arrival, double crossing) {
+    const auto offerTo = [&](int corner, double length, int arrival, double fromFoot) {
       const int to = face.vertices[corner];
       const bool isShorter = distance + length < vertices_[to].distance;
       if (vertices_[to].isRequired() & isShorter)
         offer(to, distance + length,
-              {crossing, distance, directionAt(v), arrival, PathKind::kBent});
+              {fromFoot, distance, directionAt(v), arrival, PathKind::kBent});
     };
     const int j = cornerAfter(i), k = cornerBefore(i);
-    offerTo(j, face.lengths[i], 3 * f + k, face.lengths[k]);
-    offerTo(k, face.lengths[k], 3 * f + i, 0);
+    offerTo(j, face.lengths[i], 3 * f + k, face.lengths[i] * face.cosines[i]);
+    offerTo(k, face.lengths[k], 3 * f + i, -face.lengths[k] * face.cosines[i]);
   }
 }
 
@@ -105,17 +105,19 @@ void WindowSweep::offerToCorners(const Window& w, int h) {
         std::abs(crossing - straight) > grazed && (crossing < grazed || crossing > length - grazed);
     if (!turnsAtVertex) {
       const PathLength path = w.path(p.x(), p.y());
-      offer(face.vertices[k], path.length, {crossing, w.sourceDistance, w.direction, h, path.kind});
+      const double fromFoot =
+          crossing == straight ? w.crossingFromFoot(p.x(), p.y()) : crossing - p.x();
+      offer(face.vertices[k], path.length, {fromFoot, w.sourceDistance, w.direction, h, path.kind});
     }
   }
   // Along the halfedge from an end of the window. A window that ends at the vertex has offered the
   // straight path already, with the direction in which it arrives.
   if (vertices_[face.vertices[i]].isRequired() && w.begin > grazed)
     offer(face.vertices[i], w.distanceOnEdge(w.begin) + w.begin,
-          {0, w.sourceDistance, w.direction, h - i + j, PathKind::kBent});
+          {-length * face.cosines[j], w.sourceDistance, w.direction, h - i + j, PathKind::kBent});
   if (vertices_[face.vertices[j]].isRequired() && w.end < length - grazed)
     offer(face.vertices[j], w.distanceOnEdge(w.end) + length - w.end,
-          {face.lengths[k], w.sourceDistance, w.direction, h - i + k, PathKind::kBent});
+          {length * face.cosines[i], w.sourceDistance, w.direction, h - i + k, PathKind::kBent});
 }
 
 // --- Points --------------------------------------------------------------------------------------

@@ -52,7 +52,7 @@ Eigen::Vector2d WindowSpread::direction(int label, int index) const {
   if (!piece.isFromSite()) return unitVector(piece.direction);
   const TriangleMesh::Face& face = mesh_.face(piece.arrival / 3);
   const int i = piece.arrival % 3;
-  const Eigen::Vector2d toApex = apexOf(face, i) - Eigen::Vector2d(piece.crossing, 0);
+  const Eigen::Vector2d toApex(-piece.fromFoot, apexOf(face, i).y());
   return turnedBy(toApex.normalized(), unitVector(piece.direction));
 }
 

@@ -151,9 +151,10 @@ void WindowSweep::startAtSide(const SurfacePoint& site, int i, double angle, boo
   const TriangleMesh::Face& face = mesh_.face(site.face);
   const auto to = [&](int corner) { return wayToCorner(face, i, site.bary, corner); };
   const Eigen::Vector2d toTail = to(i), toTip = to(cornerAfter(i)), toApex = to(cornerBefore(i));
-  const double onwards = toApex.y() > 0 ? toApex.x() * (toTail.y() / toApex.y()) : 0;
+  const Eigen::Vector2d apex = apexOf(face, i);
+  const double fromFoot = toApex.y() > 0 ? -toApex.x() * (apex.y() / toApex.y()) : -toApex.x();
   offer(face.vertices[cornerBefore(i)], distanceToCorner(face, site.bary, cornerBefore(i)),
-        {std::clamp(onwards - toTail.x(), 0.0, face.lengths[i]), 0, angle, 3 * site.face + i});
+        {std::clamp(fromFoot, -apex.x(), face.lengths[i] - apex.x()), 0, angle, 3 * site.face + i});
   if (isOnSide || face.twins[i] < 0) return;
   Window window = {.begin = 0,
                    .end = face.lengths[i],
@@ -196,8 +197,7 @@ double WindowSweep::directionAt(int v) const {
   if (!piece.isFromSite() || piece.isAtSite()) return piece.direction;
   const TriangleMesh::Face& face = mesh_.face(piece.arrival / 3);
   const int i = piece.arrival % 3;
-  const Eigen::Vector2d apex = apexOf(face, i);
-  return piece.direction + std::atan2(apex.y(), apex.x() - piece.crossing);
+  return piece.direction + std::atan2(apexOf(face, i).y(), -piece.fromFoot);
 }
 
 // --- The queue ---------------------------------------------------------------------------------
@@ -235,7 +235,7 @@ void WindowSweep::becomeSource(int v) {
     waiting_.sources.push_back(v);
     return;
   }
-  const auto sides = fan_.sides(v, own.piece.arrival, own.piece.crossing);
+  const auto sides = fan_.sides(v, own.piece.arrival, own.piece.fromFoot);
   if (sides.empty()) return;
   const bool isSite = own.piece.isAtSite();
   double direction =
@@ -268,10 +268,11 @@ void WindowSweep::emit(int v, const OppositeSide& side, double direction) {
   if (!points_.isEmpty()) offerToPointsFrom(i, f);
   if (side.from <= grazing(length))
     offer(face.vertices[j], distance + face.lengths[i],
-          {face.lengths[k], distance, isSite ? direction - kPi + mesh_.cornerAngle(o) : direction,
-           3 * f + k});
+          {face.lengths[i] * face.cosines[i], distance,
+           isSite ? direction - kPi + mesh_.cornerAngle(o) : direction, 3 * f + k});
   if (side.to >= length - grazing(length))
-    offer(face.vertices[k], distance + face.lengths[k], {0, distance, direction, o});
+    offer(face.vertices[k], distance + face.lengths[k],
+          {-face.lengths[k] * face.cosines[i], distance, direction, o});
   if (face.twins[j] < 0) return;
   Window window = {.begin = length - side.to,
                    .end = length - side.from,
