@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "distance/exact/revisit_filter.h"
 #include "gvd/geodesic.h"
 #include "gvd/sampling.h"
 #include "shapes.h"
@@ -68,6 +69,25 @@ TEST(Growth, LinesTurnAroundATipThatIsVeryNear) {
 TEST(Growth, NeedlesBesideEachOtherTakeNoLongerThanTheirWindows) {
   const TriangleMesh mesh = shapes::scaled(shapes::grid(50, 50), {1e-8, 1, 0}).mesh();
   EXPECT_TRUE(endsWithin(100000, mesh, {mesh.faceCount() / 2, {0.3, 0.3, 0.4}}));
+}
+
+/// A search from a point in a fan has a window in each of the faces. To follow each one back to the
+/// point would take the square of the time of the search.
+TEST(Growth, SearchesFollowWindowsBackForNoLongerThanTheySpread) {
+  const TriangleMesh mesh = flatFan(1000).mesh();
+  exact::RevisitFilter filter(mesh);
+  filter.begin(true);
+  filter.noteCrossing(0);  // without a vertex reached, which is suspicious
+  for (int f = 0; f < mesh.faceCount(); ++f)
+    EXPECT_FALSE(filter.drops({.begin = 0.4,
+                               .end = 0.5,
+                               .x = 0.3,
+                               .y = -0.5,
+                               .fromTip = 0.7,
+                               .sourceDistance = 0,
+                               .direction = 0},
+                              3 * f));
+  EXPECT_LT(filter.takeCrossedBack(), 3 * mesh.faceCount());
 }
 
 }  // namespace

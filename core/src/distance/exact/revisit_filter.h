@@ -22,11 +22,12 @@ class RevisitFilter {
  public:
   explicit RevisitFilter(const TriangleMesh& mesh);
 
-  /// Begins with another label.
-  void begin() {
+  /// Begins with another label, or with a search from a point. Searches are short and many, and
+  /// known distances bound them, so that they may not spend the first backtracks of a label.
+  void begin(bool isSearch) {
     crossedCount_ = 0;
     isSuspicious_ = false;
-    backtracksLeft_ = kFirstBacktracks;
+    backtracksLeft_ = isSearch ? 0 : kFirstBacktracks;
   }
   /// Notes that the label crosses a face, having reached some vertices so far.
   void noteCrossing(size_t reachedCount) {

@@ -58,7 +58,7 @@ void WindowSweep::begin(int label, SpreadTo to, LabelState& state) {
   label_ = label;
   to_ = to;
   state_ = &state;
-  revisits_.begin();
+  revisits_.begin(to == SpreadTo::kSites);
   vertices_.clear();
   required_.clear();
   points_.clear();
