@@ -22,8 +22,8 @@ class RevisitFilter {
  public:
   explicit RevisitFilter(const TriangleMesh& mesh);
 
-  /// Begins with another label, or with a search from a point. Searches are short and many, and
-  /// known distances bound them, so that they may not spend the first backtracks of a label.
+  /// Begins with another label, or with a search from a point. Searches are many and short, since
+  /// known distances bound them, so they get no first backtracks.
   void begin(bool isSearch) {
     crossedCount_ = 0;
     isSuspicious_ = false;
