@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -152,6 +153,22 @@ TEST(RemeshQuality, FindsTheFarthestPointOfAFaceWithManyTrianglesBesideIt) {
     EXPECT_GE(measureQuality(surface, dual).hausdorff, 0.99 * sampled) << count << " sites";
     EXPECT_LE(measureQuality(surface, dual).hausdorff, 1.02 * sampled) << count << " sites";
   }
+}
+
+/// A unit square, and a narrow wall on one of its sides and another across it at x = 0.8: the
+/// points halfway between the walls are farthest. The search had ended at x = 0.375.
+TEST(RemeshQuality, FindsThePointsHalfwayBetweenTwoWalls) {
+  const TriangleMesh square = shapes::grid(1, 1).mesh();
+  PolygonMesh walls;
+  for (const double x : {0.0, 0.8}) {
+    const int first = static_cast<int>(walls.positions.size());
+    for (const Vector3d& p : {Vector3d(x, 0, 0), Vector3d(x, 1, 0), Vector3d(x, 0.5, 0.01)})
+      walls.positions.push_back(p);
+    walls.faces.add(std::array{first, first + 1, first + 2});
+  }
+  const double distance = measureQuality(square, walls).hausdorff;
+  EXPECT_GE(distance, 0.99 * 0.4);
+  EXPECT_LE(distance, 0.4);
 }
 
 TEST(RemeshQuality, OfPositionsThatAreNotFiniteIsInfinitelyFar) {

@@ -46,15 +46,13 @@ OneSidedHausdorff::OneSidedHausdorff(const TriangleTree& from, const TriangleTre
 
 bool OneSidedHausdorff::step(long& budget) {
   for (; distance_ < kInfinity; --budget) {
-    const bool isTriangleDone = nextPart_ == parts_.size();
-    if (isTriangleDone && next_ == from_.triangles().size()) return true;
+    const bool areAllEntered = next_ == from_.triangles().size();
+    if (areAllEntered && !isAnyToHalve()) return true;
     if (budget <= 0) return false;
-    if (isTriangleDone) {
+    if (areAllEntered)
+      halveNext();
+    else
       enter(from_.triangles()[next_++]);
-    } else {
-      const Part part = parts_[nextPart_++];
-      if (mayBeFarther(part.bound) && halvingsLeft_-- > 0) halve(part);
-    }
   }
   return true;
 }
@@ -62,25 +60,29 @@ bool OneSidedHausdorff::step(long& budget) {
 /// Begins with a triangle, unless one that is near the triangle before shows that no point of it is
 /// farther.
 void OneSidedHausdorff::enter(const SpaceTriangle& triangle) {
-  constexpr double kHalvingsPerSquare = 16, kMostSquares = 4096;
-  parts_.clear();
-  nextPart_ = 0;
+  constexpr double kHalvingsPerSquare = 4, kMostSquares = 4096;
   const auto& [a, b, c] = triangle;
   if ((a + b + c).allFinite() &&
       !mayBeFarther(farthestFrom(to_.triangles()[lastNearest_], triangle)))
     return;
   const double area = (b - a).cross(c - a).norm() / 2;
-  const double squares = std::min(kMostSquares, area / (resolution_ * resolution_));
-  halvingsLeft_ = static_cast<long>(kHalvingsPerSquare * squares) + 1;
+  halvingsLeft_ += kHalvingsPerSquare * std::min(kMostSquares, area / (resolution_ * resolution_));
   add({cornerAt(a), cornerAt(b), cornerAt(c)});
 }
 
-void OneSidedHausdorff::halve(const Part& part) {
-  const auto& [a, b, c] = part.corners;
+bool OneSidedHausdorff::isAnyToHalve() const {
+  return !parts_.empty() && mayBeFarther(parts_.top().bound) && halvingsLeft_ > 0;
+}
+
+void OneSidedHausdorff::halveNext() {
+  const std::array<Corner, 3> corners = parts_.top().corners;
+  parts_.pop();
+  --halvingsLeft_;
+  const auto& [a, b, c] = corners;
   const int from = longestSide({a.position, b.position, c.position}), to = cornerAfter(from);
-  const Corner middle = cornerAt((part.corners[from].position + part.corners[to].position) / 2);
+  const Corner middle = cornerAt((corners[from].position + corners[to].position) / 2);
   for (const int replaced : {from, to}) {
-    std::array<Corner, 3> half = part.corners;
+    std::array<Corner, 3> half = corners;
     half[replaced] = middle;
     add(half);
   }
@@ -94,7 +96,7 @@ void OneSidedHausdorff::add(const std::array<Corner, 3>& corners) {
   for (const Corner& corner : corners)
     bound = std::min(
         bound, farthestFrom(to_.triangles()[corner.nearest], {a.position, b.position, c.position}));
-  if (mayBeFarther(bound)) parts_.push_back({corners, bound});
+  if (mayBeFarther(bound)) parts_.push({corners, bound, partCount_++});
 }
 
 OneSidedHausdorff::Corner OneSidedHausdorff::cornerAt(const Vector3d& position) {
