@@ -80,11 +80,12 @@ class DistanceField {
   /// quick as `nearest`, for another one as slow as `distancesAt`.
   virtual double distance(int label, const SurfacePoint& p) const = 0;
   /// Starts to find distances at many points: infinity where a label is not known at the corners of
-  /// the point's face, or at both ends of its edge. With the exact metric, each of the sites
-  /// spreads once more, as far as it is nearest and on to its points, which takes about as long as
-  /// the first time. Distances that were found are kept until their site is removed. A point that
-  /// is not on the mesh throws `Error(kInvalidPoint)` in a step. The field must outlive the work,
-  /// and sites must not change until it is done.
+  /// the point's face, or at both ends of its edge, even if it is the nearest there, as `distance`
+  /// finds out. With the exact metric, each of the sites spreads once more, as far as it is nearest
+  /// and on to its points, which takes about as long as the first time. Distances that were found
+  /// are kept until their site is removed. A point that is not on the mesh throws
+  /// `Error(kInvalidPoint)` in a step. The field must outlive the work, and sites must not change
+  /// until it is done.
   virtual std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
       std::vector<LabelledPoint> points) const = 0;
   /// The same without steps.
