@@ -116,7 +116,7 @@ class DistanceField {
 
 /// The length of a path of straight pieces within faces, by the intrinsic lengths of edges;
 /// infinity if two points in succession have no face in common. Throws `Error(kInvalidPoint)` if a
-/// point is not on the mesh. O(points), and between two vertices O(k²) for k faces around each.
+/// point is not on the mesh. O(points), and O(k) for each vertex with k faces around it.
 double lengthOf(const TriangleMesh& mesh, std::span<const SurfacePoint> path);
 
 /// Distances of sites, computed in steps. The field refers to the mesh, which must outlive it.

@@ -13,7 +13,8 @@ namespace gvd {
 void NodeLabels::clear(std::span<const int> nodes) {
   for (const int node : nodes) nodes_[node] = {};
   nodes_.resize(vertexCount_);
-  for (const Midpoint& m : midpoints_) firstMidpoint_[m.lowerEnd] = -1;
+  for (const Midpoint& m : midpoints_)
+    for (const int end : m.ends) lists_[end] = {};
   midpoints_.clear();
   labelChunks_.clear();
   addedLabels_.clear();
@@ -51,19 +52,33 @@ void NodeLabels::addLabel(int node, LabelledDistance added) {
 }
 
 int NodeLabels::middleOf(int a, int b) const {
-  const auto [low, high] = std::minmax(a, b);
-  if (low >= static_cast<int>(firstMidpoint_.size())) return -1;
-  int middle = firstMidpoint_[low];
-  while (middle >= 0 && midpoint(middle).higherEnd != high) middle = midpoint(middle).next;
+  const int middle = findListed(a, b);
+  return middle >= 0 ? middle : findListed(b, a);
+}
+
+/// The midpoint of a side if it is listed at `end`, else -1.
+int NodeLabels::findListed(int end, int otherEnd) const {
+  if (end >= static_cast<int>(lists_.size())) return -1;
+  int middle = lists_[end].first;
+  while (middle >= 0) {
+    const auto& ends = midpoint(middle).ends;
+    if (ends[0] == otherEnd || ends[1] == otherEnd) break;
+    middle = midpoint(middle).next;
+  }
   return middle;
 }
 
 int NodeLabels::addMiddle(int a, int b, bool isShared) {
-  const auto [low, high] = std::minmax(a, b);
   const int node = count();
-  if (low >= static_cast<int>(firstMidpoint_.size())) firstMidpoint_.resize(low + 1, -1);
-  midpoints_.push_back({low, high, isShared ? std::exchange(firstMidpoint_[low], node) : -1, {}});
+  if (const auto needed = static_cast<size_t>(std::max(a, b)) + 1; lists_.size() < needed)
+    lists_.resize(needed);
+  midpoints_.push_back({{a, b}, -1, {}});
   nodes_.emplace_back();
+  if (isShared) {
+    MidpointList& list = lists_[lists_[a].size < lists_[b].size ? a : b];
+    midpoints_.back().next = std::exchange(list.first, node);
+    ++list.size;
+  }
   return node;
 }
 
@@ -71,8 +86,8 @@ bool NodeLabels::enlarge(Side& side) const {
   const auto [other, middle] = std::minmax(side.from, side.to);  // the midpoint was added later
   if (middle < vertexCount_) return false;
   const Midpoint& m = midpoint(middle);
-  if (other != m.lowerEnd && other != m.higherEnd) return false;
-  side = {m.lowerEnd, m.higherEnd};
+  if (other != m.ends[0] && other != m.ends[1]) return false;
+  side = {m.ends[0], m.ends[1]};
   return true;
 }
 

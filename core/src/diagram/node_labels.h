@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <deque>
 #include <map>
 #include <span>
@@ -81,22 +82,29 @@ class NodeLabels {
     unsigned hasAddedLabels : 1 = false;
     unsigned isNearSplit : 1 = false;
   };
-  /// A node in the middle of a split side, in a list for the lower of the side's ends.
+  /// A node in the middle of a split side.
   struct Midpoint {
-    int lowerEnd, higherEnd;
-    int next;                                  ///< node, -1 for none
+    std::array<int, 2> ends;                   ///< of the side
+    int next;                                  ///< in the list, a node, -1 for none
     std::span<const LabelledDistance> labels;  ///< in labelChunks_
+  };
+  /// The midpoints of some of the sides that end at a node. A side is listed at that of its ends
+  /// which has fewer then, so that lists are short even where all sides end at one node.
+  struct MidpointList {
+    int first = -1;  ///< node
+    int size = 0;
   };
 
   const Midpoint& midpoint(int node) const { return midpoints_[node - vertexCount_]; }
   void noteOwner(int node);
+  int findListed(int end, int otherEnd) const;
   void appendBetween(int a, int b, double from, double to, std::vector<InnerNode>& nodes) const;
 
   const DistanceField& distances_;
   const int vertexCount_;
   std::vector<Node> nodes_;
-  std::deque<Midpoint> midpoints_;  ///< the nodes after the vertices
-  std::vector<int> firstMidpoint_;  ///< per node, -1 for none
+  std::deque<Midpoint> midpoints_;   ///< the nodes after the vertices
+  std::vector<MidpointList> lists_;  ///< per node
   /// The labels of midpoints, list after list, each in one chunk.
   std::deque<std::vector<LabelledDistance>> labelChunks_;
   /// All labels of the nodes where some were added.

@@ -23,10 +23,8 @@ SurfacePoint pointOnHalfedge(const TriangleMesh& mesh, int halfedge, double alon
 double lengthBetween(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b) {
   double least = kInfinity;
   visitRepresentations(mesh, a, [&](const SurfacePoint& from) {
-    visitRepresentations(mesh, b, [&](const SurfacePoint& to) {
-      if (from.face == to.face)
-        least = std::min(least, layOut(mesh.face(from.face), 0, to.bary - from.bary).norm());
-    });
+    if (const auto to = pointInFace(mesh, b, from.face))
+      least = std::min(least, layOut(mesh.face(from.face), 0, to->bary - from.bary).norm());
   });
   return least;
 }

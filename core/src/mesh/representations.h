@@ -83,6 +83,11 @@ void visitRepresentations(const TriangleMesh& mesh, const SurfacePoint& p, Visit
 inline std::optional<SurfacePoint> pointInFace(const TriangleMesh& mesh, const SurfacePoint& p,
                                                int face) {
   std::optional<SurfacePoint> found;
+  if (const int vertex = vertexAt(mesh, p); vertex >= 0) {  // of any number of faces
+    for (int i = 0; i < 3; ++i)
+      if (mesh.face(face).vertices[i] == vertex) found = {face, Eigen::Vector3d::Unit(i)};
+    return found;
+  }
   visitRepresentations(mesh, p, [&](const SurfacePoint& place) {
     if (place.face == face) found = place;
   });
