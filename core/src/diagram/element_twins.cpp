@@ -12,7 +12,7 @@ bool ElementTwins::match(int nodeCount, long& budget) {
         before_.reserve(count);
         twin_.reserve(count);
       },
-      [&] { return fillInSlices(lastOut_, nodeCount, -1, budget); },
+      [&] { return fillInSlices(outgoing_, nodeCount, Outgoing(), budget); },
       forEach(count, budget, kQuickRounds, [&](int h) { link(h); }),
       forEach(count, budget, kQuickRounds, [&](int h) { matchSide(h); }));
 }
@@ -20,18 +20,25 @@ bool ElementTwins::match(int nodeCount, long& budget) {
 /// Puts a halfedge in the list of those that leave its tail. A side on the mesh boundary gets no
 /// twin, even if the mesh was cut there and another side has the same two nodes.
 void ElementTwins::link(int h) {
-  const bool isOnBoundary = elements_.boundaryHalfedge(mesh_, h) >= 0;
-  before_.push_back(isOnBoundary ? -1 : std::exchange(lastOut_[elements_.tail[h]], h));
+  twin_.push_back(-1);
+  before_.push_back(-1);
+  if (elements_.boundaryHalfedge(mesh_, h) >= 0) return;
+  Outgoing& here = outgoing_[elements_.tail[h]];
+  before_[h] = std::exchange(here.last, h);
+  ++here.count;
 }
 
+/// Finds the twin of a side among the halfedges that leave its tip; if more leave the tip than the
+/// tail, it is left to the twin to find the side, because all sides may end at one node.
 void ElementTwins::matchSide(int h) {
-  int twin = -1;
-  if (elements_.boundaryHalfedge(mesh_, h) < 0) {
-    twin = lastOut_[elements_.tail[TriangleMesh::next(h)]];
-    while (twin >= 0 && elements_.tail[TriangleMesh::next(twin)] != elements_.tail[h])
-      twin = before_[twin];
-  }
-  twin_.push_back(twin);
+  if (elements_.boundaryHalfedge(mesh_, h) >= 0) return;
+  const int tail = elements_.tail[h], tip = elements_.tail[TriangleMesh::next(h)];
+  if (outgoing_[tip].count > outgoing_[tail].count) return;
+  int twin = outgoing_[tip].last;
+  while (twin >= 0 && elements_.tail[TriangleMesh::next(twin)] != tail) twin = before_[twin];
+  if (twin < 0) return;
+  twin_[h] = twin;
+  twin_[twin] = h;
 }
 
 void ElementTwins::matchFaces(std::span<const int> elementOfFace) {
@@ -45,7 +52,7 @@ void ElementTwins::matchFaces(std::span<const int> elementOfFace) {
 
 void ElementTwins::clear() {
   for (const int node : elements_.tail)
-    if (node < static_cast<int>(lastOut_.size())) lastOut_[node] = -1;
+    if (node < static_cast<int>(outgoing_.size())) outgoing_[node] = {};
   before_.clear();
   twin_.clear();
   sequence_ = {};

@@ -33,7 +33,13 @@ class ElementTwins {
   const TriangleMesh& mesh_;
   const Elements& elements_;
   SlicedSequence sequence_;
-  std::vector<int> lastOut_, before_;  ///< lists of halfedges, per node and per halfedge
+  /// The halfedges that leave a node, but for those on the mesh boundary.
+  struct Outgoing {
+    int last = -1;  ///< before it, those in `before_`
+    int count = 0;
+  };
+  std::vector<Outgoing> outgoing_;  ///< per node
+  std::vector<int> before_;         ///< per halfedge, the next in its list, -1 for none
   std::vector<int> twin_;
 };
 
