@@ -42,6 +42,28 @@ TEST(DiskGrid, HasEveryDiskThatContainsAPointAndFewOthers) {
   }
 }
 
+/// A needle has one rectangle, and is much longer than a disk is wide: a disk beside it is nearer
+/// to its corners than the needle is long.
+TEST(DiskGrid, ANeedleHasOnlyTheDisksThatReachIt) {
+  shapes::Shape needle;
+  needle.addVertex({0, 0, 0});
+  needle.addVertex({1, 0, 0});
+  needle.addVertex({0.5, 0.001, 0});
+  needle.addTriangle(0, 1, 2);
+  const TriangleMesh mesh = needle.mesh();
+  constexpr double kRadius = 0.03;
+  DiskGrid grid(mesh, kRadius);
+  long budget = 1000;
+  ASSERT_TRUE(grid.prepare(budget));
+  for (const double y : {-0.1, -0.02, 0.1}) {
+    DiskGrid::Distances d;
+    for (int i = 0; i < 3; ++i)
+      d[i] = (mesh.position(mesh.tail(i)) - Eigen::Vector3d(0.5, y, 0)).norm();
+    grid.add(0, d, kRadius);
+  }
+  EXPECT_EQ(grid.near(shapes::centroid(0)).size(), 1);
+}
+
 TEST(SamplePoissonDisk, TakesFewStepsForThousandsOfPointsInAFace) {
   const auto mesh = shapes::cube().mesh();
   const auto stepsFor = [&](int count) {

@@ -67,13 +67,6 @@ DiskGrid::Grid DiskGrid::gridOf(const TriangleMesh::Face& face) const {
 
 void DiskGrid::add(int f, const Distances& distances, double radius) {
   const TriangleMesh::Face& face = mesh_.face(f);
-  const double longest = *std::max_element(face.lengths.begin(), face.lengths.end());
-  const double least = distances.minCoeff();
-  // Squared distances in the face are below those at its corners by longest² at most.
-  if (least * least > radius * radius + longest * longest) return;
-  const int disk = static_cast<int>(distances_.size());
-  distances_.push_back(distances);
-  if (first_[f + 1] - first_[f] == 1) return disks_.add(first_[f], disk);
   const Grid grid = gridOf(face);
   const double length = grid.length, height = grid.apex.y();
   const int side = grid.side, columns = grid.columns, rows = grid.rows;
@@ -88,6 +81,9 @@ void DiskGrid::add(int f, const Distances& distances, double radius) {
 
   const auto [left, right] =
       partsBelow(most - leastInPart(centreY, height, 1, 0), centreX, length, columns);
+  if (left == right) return;
+  const int disk = static_cast<int>(distances_.size());
+  distances_.push_back(distances);
   for (int i = left; i < right; ++i) {
     const double leastX = leastInPart(centreX, length, columns, i);
     const auto [low, high] = partsBelow(most - leastX, centreY, height, rows);
