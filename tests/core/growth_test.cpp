@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "distance/exact/revisit_filter.h"
+#include "gvd/diagram.h"
 #include "gvd/geodesic.h"
 #include "gvd/sampling.h"
 #include "shapes.h"
@@ -88,6 +89,25 @@ TEST(Growth, SearchesFollowWindowsBackForNoLongerThanTheySpread) {
                                .direction = 0},
                               3 * f));
   EXPECT_LT(filter.takeCrossedBack(), 3 * mesh.faceCount());
+}
+
+/// The number of steps of a thousand units in which a diagram of sites in face 0 is traced.
+int stepsToTrace(const TriangleMesh& mesh, int siteCount) {
+  shapes::Random random(1);
+  std::vector<SurfacePoint> sites;
+  for (int i = 0; i < siteCount; ++i) sites.push_back(besideCorner(0, random.uniform(0.1, 0.9)));
+  const auto distances = finished(propagate(mesh, sites, Metric::kExact));
+  const auto tracing = startDiagram(mesh, *distances, siteCount);
+  int steps = 1;
+  while (!tracing->step(1000)) ++steps;
+  return steps;
+}
+
+/// Around a sharp cone of thin faces, all labels are near every face: to divide one is work for
+/// each of them, and steps end in time only if it is counted.
+TEST(Growth, FacesWithManyLabelsAreTracedInMoreSteps) {
+  const TriangleMesh mesh = shapes::vertexFan(300, 0.3).mesh();
+  EXPECT_GT(stepsToTrace(mesh, 100), 10 * stepsToTrace(mesh, 2) + 20);
 }
 
 }  // namespace

@@ -59,13 +59,14 @@ bool BisectorTracing::divideAll(long& budget) {
     const int end = std::min(stop, next_ + static_cast<int>(kQuickRounds));
     assignUntil(end);
     if (next_ < stop || stop == count) continue;
-    divideUndecided(next_++);
+    budget -= divideUndecided(next_++);
     ++nextUndecided_;
   }
   return true;
 }
 
-void BisectorTracing::divideUndecided(int element) {
+/// Returns the units that it takes besides the first.
+long BisectorTracing::divideUndecided(int element) {
   constexpr size_t kAhead = 6;
   const std::vector<int>& undecided = complex_.undecided();
   if (nextUndecided_ + kAhead < undecided.size())
@@ -75,6 +76,7 @@ void BisectorTracing::divideUndecided(int element) {
   assign(element, owner);
   if (owner >= 0 && complex_.isFace(element) && isIndifferent(element, owner))
     graph_.indifferentFaces.push_back(complex_.face(element));
+  return 0;
 }
 
 /// Assigns the elements before `end` to their sole owners.
@@ -100,7 +102,10 @@ void BisectorTracing::assignUntil(int end) {
 
 /// Assigns all of an element to one label, or to none.
 void BisectorTracing::assign(int element, int owner) {
-  if (!complex_.isFace(element)) return divide(element);
+  if (!complex_.isFace(element)) {
+    divide(element);
+    return;
+  }
   const int face = complex_.face(element);
   graph_.faceLabel[complex_.faceIndex(face)] = owner;
   if (owner >= 0) graph_.regionArea[owner] += mesh_.faceArea(face);
@@ -123,9 +128,12 @@ bool BisectorTracing::isIndifferent(int element, int owner) const {
                   });
 }
 
-void BisectorTracing::divide(int element) {
+/// Returns the units that it takes besides the first: where many labels are near, each of them is
+/// compared with the cells.
+long BisectorTracing::divide(int element) {
   const int face = complex_.face(element);
-  envelope_.compute(functions_.of(element));
+  const auto functions = functions_.of(element);
+  envelope_.compute(functions);
   placed_ = points_.of(element, envelope_);
   cellAreas_.clear();
   for (const FaceEnvelope::Cell& cell : envelope_.cells()) {
@@ -133,6 +141,7 @@ void BisectorTracing::divide(int element) {
     graph_.closeCell(face, envelope_.label(cell.function));
   }
   addAreas(mesh_.faceArea(face));
+  return static_cast<long>(functions.size() * envelope_.cells().size() / kQuickRounds);
 }
 
 // --- Cells and segments --------------------------------------------------------------------------

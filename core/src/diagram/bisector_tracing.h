@@ -29,9 +29,9 @@ class BisectorTracing {
   void reserve();
   bool divideAll(long& budget);
   void assignUntil(int end);
-  void divideUndecided(int element);
+  long divideUndecided(int element);
   void assign(int element, int owner);
-  void divide(int element);
+  long divide(int element);
   bool isIndifferent(int element, int owner) const;
   double addCell(int element, const FaceEnvelope::Cell& cell);
   void addAreas(double faceArea);
