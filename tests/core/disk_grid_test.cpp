@@ -12,14 +12,19 @@
 namespace gvd {
 namespace {
 
+/// A triangle on the unit interval.
+TriangleMesh triangleWithApex(double x, double y) {
+  shapes::Shape shape;
+  shape.addVertex({0, 0, 0});
+  shape.addVertex({1, 0, 0});
+  shape.addVertex({x, y, 0});
+  shape.addTriangle(0, 1, 2);
+  return shape.mesh();
+}
+
 TEST(DiskGrid, HasEveryDiskThatContainsAPointAndFewOthers) {
-  shapes::Shape flat;
-  flat.addVertex({0, 0, 0});
-  flat.addVertex({1, 0, 0});
-  flat.addVertex({0.3, 0.01, 0});
-  flat.addTriangle(0, 1, 2);
   constexpr double kRadius = 0.02;
-  for (const TriangleMesh& mesh : {shapes::triangle().mesh(), flat.mesh()}) {
+  for (const TriangleMesh& mesh : {shapes::triangle().mesh(), triangleWithApex(0.3, 0.01)}) {
     DiskGrid grid(mesh, kRadius);
     long budget = 1000000;
     ASSERT_TRUE(grid.prepare(budget));
@@ -45,12 +50,7 @@ TEST(DiskGrid, HasEveryDiskThatContainsAPointAndFewOthers) {
 /// A needle has one rectangle, and is much longer than a disk is wide: a disk beside it is nearer
 /// to its corners than the needle is long.
 TEST(DiskGrid, ANeedleHasOnlyTheDisksThatReachIt) {
-  shapes::Shape needle;
-  needle.addVertex({0, 0, 0});
-  needle.addVertex({1, 0, 0});
-  needle.addVertex({0.5, 0.001, 0});
-  needle.addTriangle(0, 1, 2);
-  const TriangleMesh mesh = needle.mesh();
+  const TriangleMesh mesh = triangleWithApex(0.5, 0.001);
   constexpr double kRadius = 0.03;
   DiskGrid grid(mesh, kRadius);
   long budget = 1000;

@@ -35,7 +35,7 @@ class ElementTwins {
   SlicedSequence sequence_;
   /// The halfedges that leave a node, but for those on the mesh boundary.
   struct Outgoing {
-    int last = -1;  ///< before it, those in `before_`
+    int last = -1;  ///< `before_` has the others, one after the other
     int count = 0;
   };
   std::vector<Outgoing> outgoing_;  ///< per node

@@ -14,8 +14,8 @@ namespace gvd {
 
 /// The one-sided Hausdorff distance: the largest distance of a point of some triangles from others,
 /// by branch and bound. Triangles and their parts are halved, at their longest sides, as long as
-/// one may have a point that is farther by a hundredth than the farthest one found so far; that
-/// with the largest bound comes first. The distance from one triangle is convex, so no point of a
+/// one may have a point that is farther by a hundredth than the farthest one found so far, the one
+/// with the largest bound first. The distance from one triangle is convex, so no point of a
 /// part is farther from it than a corner is: of the triangles nearest to the corners, the best one
 /// gives the bound.
 class OneSidedHausdorff {
