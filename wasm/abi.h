@@ -141,7 +141,7 @@ class RecordOfResult final : public SlicedWork<Record> {
   RecordOfResult(std::unique_ptr<SlicedWork<Result>> work, ToRecord toRecord)
       : toRecord_(std::move(toRecord)), work_(std::move(work)) {}
   bool advance(long budget) override { return work_->step(budget); }
-  double progress() const override { return work_->progress(); }
+  double share() const override { return work_->progress(); }
   Record result() override { return toRecord_(work_->take()); }
 
  private:

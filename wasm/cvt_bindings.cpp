@@ -41,7 +41,7 @@ class CvtAdvancing final : public SlicedWork<Record> {
     hasState_ = handle_.cvt->step(budget);
     return hasState_ || handle_.cvt->isDone();
   }
-  double progress() const override { return 0; }  // not known
+  double share() const override { return 0; }  // not known
   Record result() override {
     const Cvt& cvt = *handle_.cvt;
     const CvtIteration& iteration = cvt.iteration();

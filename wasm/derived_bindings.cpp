@@ -52,7 +52,7 @@ class PartitionRecording final : public SlicedWork<Record> {
     if (!points_) points_.emplace(*on_.mesh, partition_.points, false);
     return points_->step(budget);
   }
-  double progress() const override {
+  double share() const override {
     constexpr double kPartitionShare = 0.9;
     if (work_) return kPartitionShare * work_->progress();
     const auto count = static_cast<double>(partition_.triangles.size());

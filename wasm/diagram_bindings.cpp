@@ -40,10 +40,10 @@ class VertexDistances final : public PointLookup {
     direction_.reserve(2 * static_cast<std::size_t>(mesh_->inputVertexCount()));
   }
 
-  double progress() const override {
+  double share() const override {
     constexpr double kPropagationShare = 0.9;
-    return kPropagationShare * (field_ ? 1 : propagation_->progress()) +
-           (1 - kPropagationShare) * PointLookup::progress();
+    return kPropagationShare * propagation_->progress() +
+           (1 - kPropagationShare) * PointLookup::share();
   }
   Record result() override {
     Record out;
@@ -95,7 +95,7 @@ class VoronoiMaking final : public SlicedWork<Record> {
                             static_cast<int>(voronoi_->sites.size()), voronoi_->options);
     return false;
   }
-  double progress() const override {
+  double share() const override {
     const double ofDistances = propagationShare(voronoi_->options);
     return tracing_ ? ofDistances + (1 - ofDistances) * tracing_->progress()
                     : ofDistances * propagation_->progress();
@@ -171,9 +171,9 @@ class SiteChanging final : public SlicedWork<Record> {
     voronoi_.worstRegions = std::move(regions_);
     return true;
   }
-  double progress() const override {
+  double share() const override {
     if (making_) return making_->progress() / 2;
-    const double own = following_ ? 1 : change_ ? change_->progress() : 0;
+    const double own = change_ ? change_->progress() : 0;
     return wasMade_ ? (1 + own) / 2 : own;
   }
   Record result() override { return changeRecord(voronoi_.mesh(), *label_, std::move(*changed_)); }

@@ -72,7 +72,7 @@ class DiagramWork final : public SlicedWork<Record> {
   /// The handle must outlive the steps.
   DiagramWork(VoronoiHandle& voronoi, Start start) : voronoi_(voronoi), start_(std::move(start)) {}
   bool advance(long budget) override;
-  double progress() const override { return work_ ? work_->progress() : 0; }
+  double share() const override { return work_ ? work_->progress() : 0; }
   Record result() override { return work_->take(); }
 
  private:
@@ -102,7 +102,7 @@ class PointLookup : public SlicedWork<Record> {
  public:
   explicit PointLookup(std::size_t count) : count_(count) {}
   bool advance(long budget) final;
-  double progress() const override { return count_ > 0 ? static_cast<double>(next_) / count_ : 1; }
+  double share() const override { return count_ > 0 ? static_cast<double>(next_) / count_ : 1; }
 
  protected:
   /// Prepares the look-ups in steps; true when they can begin.

@@ -177,7 +177,7 @@ class DiagramRecording final : public SlicedWork<Record> {
         points_(*mesh_, diagram_->points, true) {}
 
   bool advance(long budget) override { return points_.step(budget); }
-  double progress() const override { return points_.progress(); }
+  double share() const override { return points_.progress(); }
   Record result() override {
     Record out;
     out.add("siteCount", diagram_->siteCount);

@@ -13,7 +13,7 @@ class Done final : public SlicedWork<std::vector<double>> {
  public:
   explicit Done(std::vector<double> result) : result_(std::move(result)) {}
   bool advance(long /*budget*/) override { return true; }
-  double progress() const override { return 1; }
+  double share() const override { return 1; }
   std::vector<double> result() override { return std::move(result_); }
 
  private:

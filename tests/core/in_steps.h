@@ -10,17 +10,18 @@
 namespace gvd::checks {
 
 /// Runs work in steps of changing size, the least with a budget of zero, which counts as one;
-/// progress must not decrease.
+/// progress must rise from 0 to 1 without falling.
 template <class Result>
 Result inSteps(std::unique_ptr<SlicedWork<Result>> work) {
   double before = work->progress();
-  EXPECT_GE(before, 0);
+  EXPECT_EQ(before, 0);
   for (long budget = 0; !work->step(budget); budget = (budget + 1) % 5) {
     const double share = work->progress();
     EXPECT_GE(share, before);
     EXPECT_LE(share, 1);
     before = share;
   }
+  EXPECT_EQ(work->progress(), 1);
   return work->take();
 }
 

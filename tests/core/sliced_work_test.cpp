@@ -20,6 +20,7 @@
 #include "distance/reached_loop.h"
 #include "distance/reaching_labels.h"
 #include "equality.h"
+#include "gvd/closest_point.h"
 #include "gvd/curvature.h"
 #include "gvd/cvt.h"
 #include "gvd/dual.h"
@@ -304,6 +305,22 @@ TEST(SlicedWork, SamplesNothingIfNothingIsAskedFor) {
   const TriangleMesh mesh = shapes::cube().mesh();
   EXPECT_TRUE(inSteps(startFarthest(mesh, 0, 1)).empty());
   EXPECT_TRUE(inSteps(startPoissonDiskCount(mesh, 0, 1)).points.empty());
+}
+
+/// It ended at 0.8 or below where the last part of the work was not counted, or ended early. The
+/// work that other tests here do in steps is not repeated.
+TEST(SlicedWork, ProgressRisesToOne) {
+  const TriangleMesh mesh = shapes::torus(12, 8).mesh();
+  const auto sites = sampleUniform(mesh, 5, 1);
+  const std::unique_ptr<DistanceField> field = inSteps(propagate(mesh, sites, Metric::kExact));
+  const Diagram diagram = traceDiagram(mesh, *field, 5);
+  inSteps(field->startDistancesAt({{0, sites[1]}, {1, sites[1]}}));
+  inSteps(startShortestPath(mesh, sites[0], sites[1]));
+  inSteps(startAccuracy(mesh, *field, diagram));
+  inSteps(startCurvatureDensity(mesh));
+  inSteps(startClosestPointQuery(mesh));
+  inSteps(WorstRegions::start(mesh, *field, diagram, WorstRegion::kSize));
+  inSteps(startWorstFirst(mesh, 5, 1, WorstRegion::kDistortion));
 }
 
 class OfADiagram : public ::testing::TestWithParam<int> {

@@ -17,19 +17,22 @@ class SlicedSteps {
   /// Further calls do nothing then. Indivisible work (a single face with all the sites in it, say,
   /// or sorting a list) makes a step longer. Do not call again after an exception.
   bool step(long budget);
-  /// The share of the work done, an estimate in [0, 1] that never falls. Not after the result was
-  /// taken.
-  virtual double progress() const = 0;
+  /// The share of the work done, an estimate in [0, 1] that never falls: 0 before the first step, 1
+  /// when everything is done.
+  double progress() const { return progress_; }
 
  protected:
   /// `step`, as long as the work is not done.
   virtual bool advance(long budget) = 0;
+  /// `progress` after a step that was not the last; it may fall.
+  virtual double share() const = 0;
   /// Throws `Error(kInvalidArgument)` unless the work is done, and this is the first call.
   void beginTake();
 
  private:
   enum class State : unsigned char { kUnderWay, kDone, kTaken };
   State state_ = State::kUnderWay;
+  double progress_ = 0;
 };
 
 /// A long computation and its result.

@@ -9,8 +9,10 @@
 namespace gvd {
 
 [[gnu::noinline]] bool SlicedSteps::step(long budget) {
-  if (state_ == State::kUnderWay && advance(std::max(budget, 1L))) state_ = State::kDone;
-  return state_ != State::kUnderWay;
+  if (state_ != State::kUnderWay) return true;
+  if (advance(std::max(budget, 1L))) state_ = State::kDone;
+  progress_ = state_ == State::kDone ? 1 : std::clamp(share(), progress_, 1.0);
+  return state_ == State::kDone;
 }
 
 [[gnu::noinline]] void SlicedSteps::beginTake() {

@@ -50,7 +50,7 @@ class Comparison final : public SlicedWork<DiagramAccuracy> {
       return kUnitsPerPoint;
     });
   }
-  double progress() const override { return static_cast<double>(drawn_) / samples_; }
+  double share() const override { return static_cast<double>(drawn_) / samples_; }
   DiagramAccuracy result() override {
     return {static_cast<double>(mislabelled_) / samples_, maxEdgeFor(mesh_, diagram_)};
   }

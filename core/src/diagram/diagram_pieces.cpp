@@ -172,7 +172,7 @@ class DiagramPieces::Joining final : public SlicedWork<Diagram> {
         forEach(pieces_.regions_, budget, 1, [&](int label) { addRegion(label); }),
         forEach(faceLabel, budget, 4, [&](int f) { addFace(f); }));
   }
-  double progress() const override { return sequence_.progress(); }
+  double share() const override { return sequence_.progress(); }
   Diagram result() override {
     out_.siteCount = static_cast<int>(pieces_.regions_.size());
     out_.points = points_.take();

@@ -44,7 +44,7 @@ class Tracing final : public SlicedWork<TracedDiagram> {
         [&] { return complex_.hasFacesOnly() || runPart(completion_, budget, complex_); },
         [&] { return isUnreliable() || trace(budget); });
   }
-  double progress() const override { return (sequence_.progress() + tracing_.progress()) / 2; }
+  double share() const override { return (sequence_.progress() + tracing_.progress()) / 2; }
 
   TracedDiagram result() override {
     out_.siteCount = siteCount_;
@@ -137,7 +137,7 @@ class FullTracing final : public SlicedWork<TracedDiagram> {
                                  [&](int v) { requireLabels(distances_.at(v), siteCount_); }),
                          [&] { return tracing_.step(budget); });
   }
-  double progress() const override { return tracing_.progress(); }
+  double share() const override { return tracing_.progress(); }
   TracedDiagram result() override { return tracing_.take(); }
 
  private:
@@ -156,7 +156,7 @@ class DiagramOfTracing final : public SlicedWork<Diagram> {
       : tracing_(std::move(tracing)) {}
 
   bool advance(long budget) override { return tracing_->step(budget); }
-  double progress() const override { return tracing_->progress(); }
+  double share() const override { return tracing_->progress(); }
   Diagram result() override { return tracing_->take().diagram; }
 
  private:

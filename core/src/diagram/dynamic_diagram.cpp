@@ -124,7 +124,7 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
         [&] { return diagram_.pieces_.replace(change_, budget); }, [&] { setAreas(); },
         [&] { diagram_.isChanging_ = false; });
   }
-  double progress() const override {
+  double share() const override {
     const double ofDistances = propagationShare(diagram_.options_);
     return ofDistances * diagram_.distances_->progress() + (1 - ofDistances) * sequence_.progress();
   }
@@ -254,7 +254,7 @@ class DynamicDiagram::Opening final : public SlicedWork<DynamicDiagram> {
         update_(*implementation_, true) {}
 
   bool advance(long budget) override { return update_.step(budget); }
-  double progress() const override { return update_.progress(); }
+  double share() const override { return update_.progress(); }
   DynamicDiagram result() override {
     implementation_->takeDistances();
     return DynamicDiagram(std::move(implementation_));

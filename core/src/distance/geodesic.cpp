@@ -19,7 +19,7 @@ class SitePropagation final : public Propagation {
       : distances_(std::make_unique<SiteDistances>(mesh, metric, sites)) {}
 
   bool advance(long budget) override { return distances_->step(budget); }
-  double progress() const override { return distances_->progress(); }
+  double share() const override { return distances_->progress(); }
   std::unique_ptr<DistanceField> result() override { return std::move(distances_); }
 
  private:

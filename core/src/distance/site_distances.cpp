@@ -231,7 +231,7 @@ class SiteDistances::DistancesAtPoints final : public SlicedWork<std::vector<dou
         [&] { return atPoints_->step(budget); }, [&] { found_ = atPoints_->take(); },
         forEach(open_, budget, kQuickRounds, [&](int i) { distances_[open_[i]] = found_[i]; }));
   }
-  double progress() const override { return atPoints_ ? atPoints_->progress() : 0; }
+  double share() const override { return atPoints_ ? atPoints_->progress() : 0; }
   std::vector<double> result() override { return std::move(distances_); }
 
  private:

@@ -54,7 +54,7 @@ class SceneReading final : public SlicedWork<GltfScene> {
     return sequence_.run([&] { parse(); }, [&] { measure(); },
                          [&] { return addPrimitives(budget); }, [&] { finish(); });
   }
-  double progress() const override {
+  double share() const override {
     return primitives_.empty() ? 0 : (next_ + adding_.progress()) / (primitives_.size() + 1);
   }
   GltfScene result() override { return std::move(scene_); }

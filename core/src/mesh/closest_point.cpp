@@ -15,7 +15,7 @@ class ClosestPointQuery::Building final : public SlicedWork<ClosestPointQuery> {
  public:
   explicit Building(const TriangleMesh& mesh) : tree_(std::make_unique<TriangleTree>(mesh)) {}
   bool advance(long budget) override { return tree_->step(budget); }
-  double progress() const override { return tree_->progress(); }
+  double share() const override { return tree_->progress(); }
   ClosestPointQuery result() override { return ClosestPointQuery(std::move(tree_)); }
 
  private:

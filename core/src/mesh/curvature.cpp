@@ -43,7 +43,7 @@ class CurvatureMeasuring final : public SlicedWork<VertexCurvatures> {
                          forVertices([&](int v) { measure(v); }),
                          forVertices([&](int v) { takeFromNeighbours(v); }));
   }
-  double progress() const override { return sequence_.progress(); }
+  double share() const override { return sequence_.progress(); }
   VertexCurvatures result() override { return std::move(curvatures_); }
   /// A third of the area of the faces around each vertex.
   std::vector<double> takeAreas() { return std::move(areas_); }
@@ -127,7 +127,7 @@ class DensityMaking final : public SlicedWork<std::vector<double>> {
         [&] { isFlat_ = !(mean_ * mesh_.area() > 2 * kDefectRounding * vertices); },
         forVertices([&](int v) { density_[v] = scaled(density_[v]); }));
   }
-  double progress() const override { return (measuring_.progress() + sequence_.progress()) / 2; }
+  double share() const override { return (measuring_.progress() + sequence_.progress()) / 2; }
   std::vector<double> result() override { return std::move(density_); }
 
  private:

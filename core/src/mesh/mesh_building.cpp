@@ -71,7 +71,7 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
     return makeManifold(budget) && placeVertices(budget) && measure(budget) && findBoundary(budget);
   }
 
-  double progress() const override {
+  double share() const override {
     double sum = 0;
     for (const SlicedSequence* stage : {&making_, &placing_, &measuring_, &finding_})
       sum += stage->progress();

@@ -56,7 +56,7 @@ class Subdivision final : public SlicedWork<SubdividedTriangles> {
         [&] { findLongest(); }, [&] { return splitAll(budget); }, [&] { reserve(); },
         [&] { return splitAll(budget); });
   }
-  double progress() const override { return sequence_.progress(); }
+  double share() const override { return sequence_.progress(); }
   SubdividedTriangles result() override { return std::move(out_); }
 
  private:

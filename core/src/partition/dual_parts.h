@@ -33,7 +33,7 @@ class FromRegions final : public SlicedWork<Result> {
     result_ = make_(regions_.partition(), regions_.complex());
     return true;
   }
-  double progress() const override { return regions_.progress(); }
+  double share() const override { return regions_.progress(); }
   Result result() override { return std::move(result_); }
 
  private:

@@ -52,11 +52,11 @@ class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
           return true;
         });
   }
-  double progress() const override {
+  double share() const override {
     const double ofPaths =
         nearest_.empty() ? 1 : static_cast<double>(paths_.size()) / nearest_.size();
     constexpr double kShareOfPaths = 0.2;  // the last of five parts
-    return std::min(1.0, sequence_.progress() + kShareOfPaths * ofPaths);
+    return sequence_.progress() + kShareOfPaths * ofPaths;
   }
   std::vector<DualPath> result() override { return std::move(paths_); }
 

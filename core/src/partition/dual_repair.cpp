@@ -156,7 +156,7 @@ class GapFilling final : public SlicedWork<std::vector<SurfacePoint>> {
                          },
                          [&] { return distances_->step(budget); });
   }
-  double progress() const override {
+  double share() const override {
     return distances_ ? (1 + distances_->progress()) / 2 : finding_->progress() / 2;
   }
 
@@ -251,7 +251,7 @@ class Repairing final : public SlicedWork<RepairedSites> {
   }
 
   /// The number of rounds is not known: each counts as half of what is left.
-  double progress() const override {
+  double share() const override {
     if (!dynamic_) return share_ * opening_->progress();
     if (found_.empty()) return share_;
     return share_ + (shareAfterRound() - share_) * (change_ ? change_->progress() : 0);

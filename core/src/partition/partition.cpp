@@ -190,7 +190,7 @@ class Partitioner final : public SlicedWork<Partition> {
         [&] { return runPart(matching_, budget, mesh_, uncut_, out_); },
         [&] { return runPart(patches_, budget, mesh_, diagram_.siteCount, areas_, out_); });
   }
-  double progress() const override { return sequence_.progress(); }
+  double share() const override { return sequence_.progress(); }
   Partition result() override { return std::move(out_); }
 
  private:

@@ -75,9 +75,7 @@ class Settling final : public SlicedWork<RepairedSites> {
     isOver_ = isOver_ || ++stepCount_ == kMostSettlings;
     return isOver_;
   }
-  double progress() const override {
-    return isOver_ ? 1 : (stepCount_ + step_.progress()) / kMostSettlings;
-  }
+  double share() const override { return (stepCount_ + step_.progress()) / kMostSettlings; }
   RepairedSites result() override { return std::move(kept_); }
 
  private:
@@ -159,7 +157,7 @@ class Remeshing final : public SlicedWork<RepairedSites> {
     return false;
   }
 
-  double progress() const override {
+  double share() const override {
     if (settling_) return (kMostRounds + settling_->progress()) / (kMostRounds + 1);
     constexpr double kTessellationShare = 0.8;  // roughly, in the time of a round
     const double ofRound =

@@ -102,7 +102,7 @@ class QualityMeasuring final : public SlicedWork<RemeshQuality> {
         },
         [&] { quality_.hausdorff = fromSurface_->distance(); });
   }
-  double progress() const override { return sequence_.progress(); }
+  double share() const override { return sequence_.progress(); }
   RemeshQuality result() override { return quality_; }
 
  private:

@@ -72,7 +72,7 @@ class Integrator final : public SlicedWork<CvtEnergy> {
         forEach(diagram_.cells, budget, 2, [&](int c) { addCell(c); }),
         forEach(faces, budget, kQuickRounds, [&](int f) { out_.energy += out_.faceEnergy[f]; }));
   }
-  double progress() const override { return sequence_.progress(); }
+  double share() const override { return sequence_.progress(); }
   CvtEnergy result() override { return std::move(out_); }
 
  private:

@@ -58,7 +58,7 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
                                    std::numeric_limits<size_t>::max(), points_);
         });
   }
-  double progress() const override {
+  double share() const override {
     return count_.value_or(0) > 0 ? static_cast<double>(points_.size()) / *count_
                                   : static_cast<double>(nextVertex_) / mesh_.vertexCount();
   }

@@ -52,7 +52,7 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
                                                  static_cast<size_t>(count_), points_);
         });
   }
-  double progress() const override {
+  double share() const override {
     return count_ > 0 ? static_cast<double>(points_.size()) / count_ : 1;
   }
   std::vector<SurfacePoint> result() override { return std::move(points_); }

@@ -45,7 +45,7 @@ class RandomSampling final : public SlicedWork<std::vector<SurfacePoint>> {
         },
         forEach(count_, budget, 1, [&](int) { points_.push_back(draw()); }));
   }
-  double progress() const override { return sequence_.progress(); }
+  double share() const override { return sequence_.progress(); }
   std::vector<SurfacePoint> result() override { return std::move(points_); }
 
  private:

@@ -86,7 +86,7 @@ class WorstRegions::Update final : public SlicedSteps {
                          forEach(faces_, budget, 4, [&](int i) { addShares(i); }),
                          forEach(labels_, budget, 4, [&](int i) { sumUp(i); }));
   }
-  double progress() const override { return sequence_.progress(); }
+  double share() const override { return sequence_.progress(); }
 
  private:
   void begin() {
@@ -172,7 +172,7 @@ class WorstRegions::Making final : public SlicedWork<WorstRegions> {
         },
         [&] { return update_->step(budget); });
   }
-  double progress() const override { return update_ ? update_->progress() : 0; }
+  double share() const override { return update_ ? update_->progress() : 0; }
   WorstRegions result() override { return std::move(regions_); }
 
  private:
@@ -264,7 +264,7 @@ class WorstFirstSampling final : public SlicedWork<std::vector<SurfacePoint>> {
         },
         [&] { return insertOthers(budget); });
   }
-  double progress() const override {
+  double share() const override {
     return count_ > 0 ? static_cast<double>(points_.size() - 1) / count_ : 1;
   }
   std::vector<SurfacePoint> result() override { return std::move(points_); }

@@ -49,18 +49,15 @@ class PathSearch final : public SlicedWork<std::vector<SurfacePoint>> {
 
   bool advance(long budget) override {
     const bool isConnected = mesh_.component(from_.face) == mesh_.component(to_.face);
-    isDone_ = !isConnected || sequence_.run([&] { return sweep_.prepare(budget); },
-                                            [&] { return boundByEdges(budget); },
-                                            [&] { startSearch(mostByEdges() * (1 + kSlack)); },
-                                            [&] { return sweep_.step(budget); });
-    farthest_ = std::max(farthest_, sweep_.front());
-    return isDone_;
+    return !isConnected || sequence_.run([&] { return sweep_.prepare(budget); },
+                                         [&] { return boundByEdges(budget); },
+                                         [&] { startSearch(mostByEdges() * (1 + kSlack)); },
+                                         [&] { return sweep_.step(budget); });
   }
 
-  /// The wavefront's largest distance so far as a share of the straight line in space.
-  double progress() const override {
-    if (isDone_) return 1;
-    return straight_ > 0 ? std::min(farthest_ / straight_, 0.9) : 0;
+  /// The wavefront's distance as a share of the straight line in space.
+  double share() const override {
+    return straight_ > 0 ? std::min(sweep_.front() / straight_, 0.9) : 0;
   }
 
   std::vector<SurfacePoint> result() override {
@@ -109,8 +106,6 @@ class PathSearch final : public SlicedWork<std::vector<SurfacePoint>> {
   LabelState state_;
 
   SlicedSequence sequence_;
-  double farthest_ = 0;  ///< that the wavefront has come
-  bool isDone_ = false;
 };
 
 }  // namespace

@@ -96,7 +96,7 @@ bool PointDistances::spread(long& budget) {
   return true;
 }
 
-double PointDistances::progress() const {
+double PointDistances::share() const {
   if (open_.empty()) return sequence_.progress();
   return static_cast<double>(doneCount_) / static_cast<double>(open_.size());
 }

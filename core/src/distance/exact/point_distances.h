@@ -51,7 +51,7 @@ class PointDistances final : public SlicedWork<std::vector<double>> {
                  std::vector<LabelledPoint> points);
 
   bool advance(long budget) override;
-  double progress() const override;
+  double share() const override;
   std::vector<double> result() override;
 
  private:
