@@ -58,7 +58,7 @@ class VertexDistances final : public PointLookup {
     if (!field_ && propagation_->step(budget)) field_ = propagation_->take();
     return field_ != nullptr;
   }
-  void lookUp(std::size_t i) override {
+  void lookUp(std::size_t i, long& /*budget*/) override {
     const int vertex = mesh_->vertexOfInput(static_cast<int>(i));
     const LabelledDistance nearest =
         vertex < 0 ? LabelledDistance{} : nearestOf(field_->at(vertex));
@@ -130,10 +130,10 @@ class LocatedPoints final : public PointLookup {
   }
 
  private:
-  void lookUp(std::size_t i) override {
+  void lookUp(std::size_t i, long& budget) override {
     const SurfacePoint point = naming(
         "point", i, [&] { return pointFromInput(voronoi_.mesh(), face_[i], &bary_[3 * i]); });
-    const LabelledDistance nearest = voronoi_.field().nearest(point);
+    const LabelledDistance nearest = voronoi_.field().nearest(point, budget);
     label_.push_back(nearest.label);
     distance_.push_back(nearest.distance);
   }

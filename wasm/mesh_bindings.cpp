@@ -64,7 +64,7 @@ class ClosestPointLookup final : public PointLookup {
     handle_.closestPoints->emplace(building_->take());
     return true;
   }
-  void lookUp(std::size_t i) override {
+  void lookUp(std::size_t i, long& /*budget*/) override {
     const ClosestPoint closest = naming("position", i, [&] {
       return (*handle_.closestPoints)->closestTo(Eigen::Vector3d::Map(&places_[3 * i]));
     });

@@ -22,7 +22,7 @@ bool PointLookup::advance(long budget) {
   if (!prepare(budget)) return false;
   for (; next_ < count_; budget -= kUnitsPerLookUp) {
     if (budget <= 0) return false;
-    lookUp(next_++);
+    lookUp(next_++, budget);
   }
   return true;
 }

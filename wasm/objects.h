@@ -107,7 +107,8 @@ class PointLookup : public SlicedWork<Record> {
  protected:
   /// Prepares the look-ups in steps; true when they can begin.
   virtual bool prepare(long /*budget*/) { return true; }
-  virtual void lookUp(std::size_t i) = 0;
+  /// Looks one up; lowers the budget if that takes long.
+  virtual void lookUp(std::size_t i, long& budget) = 0;
 
  private:
   const std::size_t count_;

@@ -35,7 +35,7 @@ BruteForce::BruteForce(const TriangleMesh& mesh, std::span<const SurfacePoint> s
   for (std::vector<LabelledDistance>& here : known_) equalizeTies(here, ties);
 }
 
-LabelledDistance BruteForce::nearest(const SurfacePoint& p) const {
+LabelledDistance BruteForce::nearest(const SurfacePoint& p, long& /*budget*/) const {
   LabelledDistance nearest;
   for (int label = 0; label < static_cast<int>(alone_.size()); ++label)
     if (const double here = distance(label, p); here < nearest.distance) nearest = {label, here};

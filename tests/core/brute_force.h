@@ -18,7 +18,7 @@ class BruteForce final : public DistanceField {
   BruteForce(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric);
 
   std::span<const LabelledDistance> at(int vertex) const override { return known_[vertex]; }
-  LabelledDistance nearest(const SurfacePoint& p) const override;
+  LabelledDistance nearest(const SurfacePoint& p, long& budget) const override;
   double distance(int label, const SurfacePoint& p) const override;
   std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
       std::vector<LabelledPoint> points) const override;

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "gvd/diagram.h"
@@ -30,7 +31,9 @@ Traced traceByBruteForce(const TriangleMesh& mesh, std::span<const SurfacePoint>
 class NoDistances : public DistanceField {
  public:
   std::span<const LabelledDistance> at(int /*vertex*/) const override { return {}; }
-  LabelledDistance nearest(const SurfacePoint& /*p*/) const override { return {}; }
+  LabelledDistance nearest(const SurfacePoint& /*p*/, long& /*budget*/) const override {
+    return {};
+  }
   double distance(int /*label*/, const SurfacePoint& /*p*/) const override { return kInfinity; }
   std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
       std::vector<LabelledPoint> /*points*/) const override {
@@ -40,6 +43,32 @@ class NoDistances : public DistanceField {
   std::vector<SurfacePoint> path(int /*label*/, const SurfacePoint& /*p*/) const override {
     return {};
   }
+};
+
+/// The distances of another field, which must outlive this: to watch what is asked of it.
+class SameDistances : public DistanceField {
+ public:
+  explicit SameDistances(const DistanceField& field) : field_(field) {}
+  std::span<const LabelledDistance> at(int vertex) const override { return field_.at(vertex); }
+  LabelledDistance nearest(const SurfacePoint& p, long& budget) const override {
+    return field_.nearest(p, budget);
+  }
+  double distance(int label, const SurfacePoint& p) const override {
+    return field_.distance(label, p);
+  }
+  std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
+      std::vector<LabelledPoint> points) const override {
+    return field_.startDistancesAt(std::move(points));
+  }
+  Eigen::Vector2d direction(int label, int vertex) const override {
+    return field_.direction(label, vertex);
+  }
+  std::vector<SurfacePoint> path(int label, const SurfacePoint& p) const override {
+    return field_.path(label, p);
+  }
+
+ private:
+  const DistanceField& field_;
 };
 
 /// Success if

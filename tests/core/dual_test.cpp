@@ -364,31 +364,17 @@ TEST(Dual, HasItsSitesWithCleanCoordinates) {
 }
 
 /// Distances that may be asked for in steps only.
-class InStepsOnly final : public DistanceField {
+class InStepsOnly final : public checks::SameDistances {
  public:
-  explicit InStepsOnly(const DistanceField& field) : field_(field) {}
-  std::span<const LabelledDistance> at(int vertex) const override { return field_.at(vertex); }
-  LabelledDistance nearest(const SurfacePoint& p) const override {
+  using SameDistances::SameDistances;
+  LabelledDistance nearest(const SurfacePoint& p, long& budget) const override {
     ADD_FAILURE() << "asks for the distance at one point";
-    return field_.nearest(p);
+    return SameDistances::nearest(p, budget);
   }
   double distance(int label, const SurfacePoint& p) const override {
     ADD_FAILURE() << "asks for the distance at one point";
-    return field_.distance(label, p);
+    return SameDistances::distance(label, p);
   }
-  std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
-      std::vector<LabelledPoint> points) const override {
-    return field_.startDistancesAt(std::move(points));
-  }
-  Eigen::Vector2d direction(int label, int vertex) const override {
-    return field_.direction(label, vertex);
-  }
-  std::vector<SurfacePoint> path(int label, const SurfacePoint& p) const override {
-    return field_.path(label, p);
-  }
-
- private:
-  const DistanceField& field_;
 };
 
 /// On a narrow tube of long faces, the distances at 25,000 points were asked for one by one, in one

@@ -445,7 +445,8 @@ TEST(Windows, LeaveNothingToTheNextSearchWhenMemoryRunsOut) {
   const SurfacePoint p{0, {0.2, 0.3, 0.5}}, farther{mesh.faceCount() - 1, {0.2, 0.3, 0.5}};
   NearestBounds bounds(mesh);
   const auto search = [&](exact::WindowSweep& sweep, const SurfacePoint& from, long calls) {
-    const exact::LabelState state = sweep.search(from, ScarceBounds(calls));
+    long budget = kUnlimited;
+    const exact::LabelState state = sweep.search(from, ScarceBounds(calls), budget);
     return std::pair(sweep.searched().shortest(), state.vertices.size());
   };
   constexpr long kEnough = 1L << 40;

@@ -137,8 +137,8 @@ class KnownEverywhere final : public LabelSpread {
   const std::vector<ReachedVertex>& reached(int /*label*/) const override { return reached_; }
   void markFinal(int /*label*/, int /*index*/) override {}
   bool dependsOnEdgeBounds() const override { return false; }
-  std::vector<LabelledDistance> nearestAt(const SurfacePoint& /*p*/,
-                                          const DistanceField& /*known*/) override {
+  std::vector<LabelledDistance> nearestAt(const SurfacePoint& /*p*/, const DistanceField& /*known*/,
+                                          long& /*budget*/) override {
     return {};
   }
   std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
@@ -230,6 +230,37 @@ TEST(SlicedWork, ALongOutlineThatUsesUpTheBudgetLeavesNothingOut) {
   const std::vector<SurfacePoint> sites = {mesh.fromInputVertex(0)};
   const checks::Traced traced = checks::trace(mesh, sites);
   EXPECT_TRUE(inSteps(startDiagram(mesh, *traced.field, 1)) == traced.diagram);
+}
+
+/// Distances of which one point takes all the budget of a step.
+class SlowSearches final : public checks::SameDistances {
+ public:
+  static constexpr long kUnits = 1000;
+  using SameDistances::SameDistances;
+  LabelledDistance nearest(const SurfacePoint& p, long& budget) const override {
+    ++count;
+    budget -= kUnits;
+    return SameDistances::nearest(p, budget);
+  }
+  mutable int count = 0;
+};
+
+/// Each point of a comparison counted the same however long its search took.
+TEST(SlicedWork, SearchesCountAsMuchAsTheyTake) {
+  const TriangleMesh mesh = shapes::icosphere(2).mesh();
+  const checks::Traced traced = checks::trace(mesh, sampleUniform(mesh, 3, 1));
+  const SlowSearches field(*traced.field);
+  const auto expectSlices = [&](auto work) {
+    int before = field.count = 0;
+    while (!work->step(SlowSearches::kUnits)) {
+      EXPECT_LE(field.count, before + 1);
+      before = field.count;
+    }
+    EXPECT_LE(field.count, before + 1);
+    EXPECT_GT(field.count, 1);
+    return work->take();
+  };
+  expectSlices(startAccuracy(mesh, field, traced.diagram, 100));
 }
 
 TEST(SlicedWork, MakesTheSameMeshes) {

@@ -75,7 +75,13 @@ class DistanceField {
   /// The nearest site at a point and its distance; label -1 and infinity if no site reaches it.
   /// With the exact metric, O(faces that the shortest path crosses) where they are well shaped;
   /// with DGPC, O(labels known at the corners of its face).
-  virtual LabelledDistance nearest(const SurfacePoint& p) const = 0;
+  LabelledDistance nearest(const SurfacePoint& p) const {
+    long budget = std::numeric_limits<long>::max();
+    return nearest(p, budget);
+  }
+  /// The same as a part of sliced work: lowers the budget by about as many microseconds as the
+  /// search takes, also below zero.
+  virtual LabelledDistance nearest(const SurfacePoint& p, long& budget) const = 0;
   /// The distance of one site at a point; infinity where it is not known. For the nearest site as
   /// quick as `nearest`, for another one as slow as `distancesAt`.
   virtual double distance(int label, const SurfacePoint& p) const = 0;

@@ -45,7 +45,7 @@ class Comparison final : public SlicedWork<DiagramAccuracy> {
   bool advance(long budget) override {
     return sumAreas(mesh_, sums_, budget) && loop_.runWeighted(samples_, budget, 1, [&](int) {
       const SurfacePoint p = drawPoint(random_, sums_);
-      mislabelled_ += distances_.nearest(p).label != labelAt(mesh_, diagram_, p);
+      mislabelled_ += distances_.nearest(p, budget).label != labelAt(mesh_, diagram_, p);
       ++drawn_;
       return kUnitsPerPoint;
     });

@@ -56,8 +56,9 @@ class LabelSpread {
   virtual bool dependsOnEdgeBounds() const = 0;
   /// Candidates for the nearest label at a point that is no vertex, with their distances: each
   /// label once, and all labels that tie for nearest are among them. `known` has those at vertices.
-  virtual std::vector<LabelledDistance> nearestAt(const SurfacePoint& p,
-                                                  const DistanceField& known) = 0;
+  /// Lowers the budget by the units that it takes, whatever is left.
+  virtual std::vector<LabelledDistance> nearestAt(const SurfacePoint& p, const DistanceField& known,
+                                                  long& budget) = 0;
   /// Starts to find the distances of labels at points that are no vertices. Each label must be
   /// known around its points, and sites must not change until the work is done.
   virtual std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(

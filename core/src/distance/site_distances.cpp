@@ -182,12 +182,12 @@ void SiteDistances::orderLabels() {
 
 // --- Queries -----------------------------------------------------------------------------------
 
-LabelledDistance SiteDistances::nearest(const SurfacePoint& given) const {
+LabelledDistance SiteDistances::nearest(const SurfacePoint& given, long& budget) const {
   const SurfacePoint p = onMesh(mesh_, given);
   if (const int v = vertexAt(mesh_, p); v >= 0) return nearestOf(at(v));
   LabelledDistance best;
   bool isBestKnown = false;
-  for (const auto& [label, distance] : spread_->nearestAt(p, *this)) {
+  for (const auto& [label, distance] : spread_->nearestAt(p, *this, budget)) {
     if (!(bounds_.ties().isAtMost(distance, best.distance) && distance < kInfinity)) continue;
     // Of labels that tie, prefer those known around the point, then the lowest.
     const bool isKnown = isKnownAround(label, p);

@@ -69,7 +69,8 @@ class SiteDistances final : public DistanceField {
   void markTaken() { isTaken_ = true; }
 
   std::span<const LabelledDistance> at(int vertex) const override { return known_[vertex]; }
-  LabelledDistance nearest(const SurfacePoint& given) const override;
+  using DistanceField::nearest;
+  LabelledDistance nearest(const SurfacePoint& given, long& budget) const override;
   double distance(int label, const SurfacePoint& p) const override;
   std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
       std::vector<LabelledPoint> points) const override;

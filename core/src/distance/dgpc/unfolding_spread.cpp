@@ -145,13 +145,15 @@ void UnfoldingSpread::takeRequired() {
 // --- Queries -----------------------------------------------------------------------------------
 
 std::vector<LabelledDistance> UnfoldingSpread::nearestAt(const SurfacePoint& p,
-                                                         const DistanceField& known) {
+                                                         const DistanceField& known, long& budget) {
+  constexpr long kLabelsPerUnit = 8;
   const auto& [a, b, c] = mesh_.face(p.face).vertices;
   std::vector<LabelledDistance> distances;
   visitLabels(known.at(a), known.at(b), known.at(c), [&](int label, const auto& /*at*/) {
     distances.push_back(
         {label, distanceAt(label, p, [&](int v) { return distanceIn(known.at(v), label); })});
   });
+  budget -= static_cast<long>(distances.size()) / kLabelsPerUnit;
   return distances;
 }
 

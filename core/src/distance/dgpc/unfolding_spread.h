@@ -39,8 +39,8 @@ class UnfoldingSpread final : public LabelSpread {
   }
   void markFinal(int label, int index) override { labels_[label].vertices[index].isFinal = true; }
   bool dependsOnEdgeBounds() const override { return true; }
-  std::vector<LabelledDistance> nearestAt(const SurfacePoint& p,
-                                          const DistanceField& known) override;
+  std::vector<LabelledDistance> nearestAt(const SurfacePoint& p, const DistanceField& known,
+                                          long& budget) override;
   std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
       std::vector<LabelledPoint> points, const DistanceField& known) override;
   Eigen::Vector2d direction(int label, int index) const override;

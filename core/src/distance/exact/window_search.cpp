@@ -9,7 +9,7 @@
 
 namespace gvd::exact {
 
-LabelState WindowSweep::search(const SurfacePoint& p, const SearchBounds& bounds) {
+LabelState WindowSweep::search(const SurfacePoint& p, const SearchBounds& bounds, long& budget) {
   LabelState state;
   begin(-1, SpreadTo::kSites, state);
   search_.start(bounds);
@@ -22,8 +22,9 @@ LabelState WindowSweep::search(const SurfacePoint& p, const SearchBounds& bounds
     });
   });
   if (search_.shortest() < kInfinity) startAt(p);
-  long budget = kUnlimited;
-  step(budget);
+  long left = kUnlimited;
+  step(left);
+  budget -= kUnlimited - left;
   state_ = nullptr;
   return state;
 }

@@ -91,7 +91,7 @@ class WindowSpread::OneLabel final : public SearchBounds {
 };
 
 std::vector<LabelledDistance> WindowSpread::nearestAt(const SurfacePoint& p,
-                                                      const DistanceField& known) {
+                                                      const DistanceField& known, long& budget) {
   std::vector<LabelledDistance> labels;
   const auto offer = [&](int label, double distance) {
     const auto found = std::find_if(labels.begin(), labels.end(),
@@ -101,7 +101,7 @@ std::vector<LabelledDistance> WindowSpread::nearestAt(const SurfacePoint& p,
     else
       found->distance = std::min(found->distance, distance);
   };
-  const LabelState fromPoint = sweep_.search(p, NearestLabels(bounds_));
+  const LabelState fromPoint = sweep_.search(p, NearestLabels(bounds_), budget);
   for (const LabelledDistance& site : sweep_.searched().found()) offer(site.label, site.distance);
   for (const ReachedVertex& r : fromPoint.vertices)
     if (bounds_.ties().isAtMost(r.distance + bounds_[r.vertex].distance,
@@ -122,7 +122,8 @@ std::unique_ptr<SlicedWork<std::vector<double>>> WindowSpread::startDistancesAt(
 std::vector<SurfacePoint> WindowSpread::path(int label, const SurfacePoint& p) {
   const LabelState& state = labels_[label];
   if (vertexAt(mesh_, p) >= 0) return pathToSite(mesh_, sites_[label], state, p, index_);
-  sweep_.search(p, NearestLabels(bounds_));
+  long budget = kUnlimited;
+  sweep_.search(p, NearestLabels(bounds_), budget);
   const double nearest = sweep_.searched().shortest();
   std::vector<SurfacePoint> path = pathBack(p, label, state);
   if (bounds_.ties().isAtMost(sweep_.searched().shortest(), nearest)) return path;
@@ -130,7 +131,7 @@ std::vector<SurfacePoint> WindowSpread::path(int label, const SurfacePoint& p) {
   LabelState further = state;
   const RequiredPoint point = {p, least, nearest};
   sweep_.require(label, further, {&point, 1});
-  long budget = kUnlimited;
+  budget = kUnlimited;
   sweep_.step(budget);
   if (bounds_.ties().isAtMost(least, sweep_.distanceAtPoint(0))) return path;
   return pathToSite(mesh_, sites_[label], further, p, index_);
@@ -142,7 +143,8 @@ std::vector<SurfacePoint> WindowSpread::pathBack(const SurfacePoint& p, int labe
                                                  const LabelState& state) {
   index_.reset(state.vertices);
   const OneLabel ofLabel(label, state, index_, bounds_);
-  const LabelState fromPoint = sweep_.search(p, ofLabel);
+  long budget = kUnlimited;
+  const LabelState fromPoint = sweep_.search(p, ofLabel, budget);
   int vertex = -1;
   double least = kInfinity;
   for (const LabelledDistance& site : sweep_.searched().found())

@@ -36,8 +36,8 @@ class WindowSpread final : public LabelSpread {
   }
   void markFinal(int label, int index) override;
   bool dependsOnEdgeBounds() const override { return false; }
-  std::vector<LabelledDistance> nearestAt(const SurfacePoint& p,
-                                          const DistanceField& known) override;
+  std::vector<LabelledDistance> nearestAt(const SurfacePoint& p, const DistanceField& known,
+                                          long& budget) override;
   std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
       std::vector<LabelledPoint> points, const DistanceField& known) override;
   Eigen::Vector2d direction(int label, int index) const override;

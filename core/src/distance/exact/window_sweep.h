@@ -76,8 +76,9 @@ class WindowSweep {
   /// latter is at least the site's distance at an end of the edge minus the way from that end.
   /// Windows whose paths must be longer than a known path are cut off, so only a strip of few faces
   /// around the shortest path remains. Does not lower bounds. Returns what a label of this point
-  /// has reached; the windows that see a site wait at the site's face.
-  LabelState search(const SurfacePoint& p, const SearchBounds& bounds);
+  /// has reached; the windows that see a site wait at the site's face. Lowers the budget by the
+  /// units that it takes, whatever is left.
+  LabelState search(const SurfacePoint& p, const SearchBounds& bounds, long& budget);
   /// The sites that the last search has found.
   const SiteSearch& searched() const { return search_; }
   /// Works for `budget` units and lowers it by their number; true when the label is done and its
