@@ -245,7 +245,8 @@ class SlowSearches final : public checks::SameDistances {
   mutable int count = 0;
 };
 
-/// Each point of a comparison counted the same however long its search took.
+/// All points on the outline of the worst region were looked at in one step, and each point of a
+/// comparison counted the same however long its search took.
 TEST(SlicedWork, SearchesCountAsMuchAsTheyTake) {
   const TriangleMesh mesh = shapes::icosphere(2).mesh();
   const checks::Traced traced = checks::trace(mesh, sampleUniform(mesh, 3, 1));
@@ -261,6 +262,11 @@ TEST(SlicedWork, SearchesCountAsMuchAsTheyTake) {
     return work->take();
   };
   expectSlices(startAccuracy(mesh, field, traced.diagram, 100));
+  const WorstRegions regions =
+      expectSlices(WorstRegions::start(mesh, field, traced.diagram, WorstRegion::kSize));
+  const int count = field.count;
+  EXPECT_GE(regions.point().face, 0);
+  EXPECT_EQ(field.count, count);
 }
 
 TEST(SlicedWork, MakesTheSameMeshes) {

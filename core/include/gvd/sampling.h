@@ -115,7 +115,7 @@ class WorstRegions {
   /// Takes a diagram and its distances. With `detail`, a region may have a share in a face at whose
   /// corners its label is not known; such a share counts as undistorted. The mesh and the
   /// distances, which change with the diagram, must outlive this. Throws `Error(kInvalidArgument)`
-  /// if one of them is that of another mesh. O(F).
+  /// if one of them is that of another mesh. Takes O(F), and time for the worst region.
   WorstRegions(const TriangleMesh& mesh, const DistanceField& distances, const Diagram& diagram,
                WorstRegion worst);
   /// The same in steps. The diagram must outlive the work.
@@ -123,15 +123,14 @@ class WorstRegions {
                                                          const DistanceField& distances,
                                                          const Diagram& diagram, WorstRegion worst);
   /// Follows a change of the diagram; `distances` must have changed already. Takes time for the
-  /// regions in `DiagramChange::labels`, and a little for each label.
+  /// regions in `DiagramChange::labels` and the worst one, and a little for each face and label.
   void follow(const DiagramChange& change);
   /// The same in steps. The change must outlive them. `point` must not be asked for before they are
   /// done, and this is of no use if they are dropped unfinished.
   std::unique_ptr<SlicedSteps> startFollow(const DiagramChange& change);
   /// The place for one more site: in a component without a site, if there is one, otherwise the
-  /// vertex or outline point of the worst region that is farthest from its site. Takes time for
-  /// that region, and a little for each face and label.
-  SurfacePoint point() const;
+  /// vertex or outline point of the worst region that is farthest from its site.
+  const SurfacePoint& point() const { return point_; }
   /// The criterion for the worst region.
   WorstRegion kind() const { return worst_; }
 
@@ -157,6 +156,7 @@ class WorstRegions {
   WorstRegion worst_;
   std::vector<Region> regions_;
   std::vector<int> faceLabel_;
+  SurfacePoint point_;
 };
 
 /// `count` points: the first at random, uniform by area, each further one where

@@ -72,7 +72,7 @@ WorstRegions::WorstRegions(const TriangleMesh& mesh, const DistanceField& distan
                            WorstRegion worst)
     : mesh_(&mesh), distances_(&distances), worst_(worst) {}
 
-/// Makes the regions follow a change of the diagram.
+/// Makes the regions follow a change of the diagram, and finds the next point.
 class WorstRegions::Update final : public SlicedSteps {
  public:
   /// Takes what has changed, as in a `DiagramChange`. All must outlive this.
@@ -81,10 +81,19 @@ class WorstRegions::Update final : public SlicedSteps {
       : of_(of), labels_(labels), faces_(faces), part_(part) {}
 
   bool advance(long budget) override {
-    return sequence_.run([&] { begin(); }, forEach(labels_, budget, 8, [&](int i) { clear(i); }),
-                         forEach(part_.loops.size(), budget, 1, [&](int i) { addOutline(i); }),
-                         forEach(faces_, budget, 4, [&](int i) { addShares(i); }),
-                         forEach(labels_, budget, 4, [&](int i) { sumUp(i); }));
+    return sequence_.run(
+        [&] { begin(); }, forEach(labels_, budget, 8, [&](int i) { clear(i); }),
+        forEach(part_.loops.size(), budget, 1, [&](int i) { addOutline(i); }),
+        forEach(faces_, budget, 4, [&](int i) { addShares(i); }),
+        forEach(labels_, budget, 4, [&](int i) { sumUp(i); }), [&] { findWorst(); },
+        [&](SlicedLoop& loop) {
+          return loop.run(worst_->shares.size(), budget, 4,
+                          [&](int i) { offerCorners(worst_->shares[i].face); });
+        },
+        [&](SlicedLoop& loop) {
+          return loop.runWeighted(worst_->outline.size(), budget, kQuickRounds,
+                                  [&](int i) { return offerOutline(worst_->outline[i], budget); });
+        });
   }
   double share() const override { return sequence_.progress(); }
 
@@ -140,6 +149,43 @@ class WorstRegions::Update final : public SlicedSteps {
     if (region.distortion <= kFlatDistortion * region.area) region.distortion = 0;
   }
 
+  /// Finds a face in a component without a site, otherwise the worst region.
+  void findWorst() {
+    const std::vector<int>& labels = of_.faceLabel_;
+    const auto unreached = std::find(labels.begin(), labels.end(), Diagram::kUnreachable);
+    if (unreached != labels.end())
+      of_.point_ = {static_cast<int>(unreached - labels.begin()),
+                    Eigen::Vector3d::Constant(1.0 / 3)};
+    else
+      worst_ = &*std::max_element(
+          of_.regions_.begin(), of_.regions_.end(), [](const Region& a, const Region& b) {
+            return std::pair(a.distortion, a.area) < std::pair(b.distortion, b.area);
+          });
+  }
+
+  void offerCorners(int face) {
+    const int label = static_cast<int>(worst_ - of_.regions_.data());
+    for (const int v : of_.mesh_->face(face).vertices)
+      if (const LabelledDistance d = nearestOf(of_.distances_->at(v)); d.label == label)
+        offer(pointAtVertex(*of_.mesh_, v), d.distance);
+  }
+
+  /// Offers a point of the outline if it can be farther than the farthest one so far. Returns how
+  /// many quick rounds it took, but for the search.
+  long offerOutline(const SurfacePoint& p, long& budget) {
+    constexpr long kRounds = 4, kRoundsOfSearch = 2 * kQuickRounds;
+    const auto nearestAt = [&](int v) { return nearestOf(of_.distances_->at(v)).distance; };
+    if (!(distanceOverCorners(*of_.mesh_, p, nearestAt) > most_)) return kRounds;
+    offer(p, of_.distances_->nearest(p, budget).distance);
+    return kRoundsOfSearch;
+  }
+
+  void offer(const SurfacePoint& p, double distance) {
+    if (!(distance > most_)) return;
+    most_ = distance;
+    of_.point_ = p;
+  }
+
   WorstRegions& of_;
   const std::span<const int> labels_, faces_;
   const Diagram& part_;
@@ -147,6 +193,9 @@ class WorstRegions::Update final : public SlicedSteps {
   std::vector<char> isChanged_;          ///< per label
   std::vector<std::size_t> keptShares_;  ///< per changed label, their number; new ones follow
   int nextCell_ = 0;
+  const Region none_;
+  const Region* worst_ = &none_;
+  double most_ = -1;  ///< the distance of the farthest point so far
 };
 
 /// The regions of a whole diagram.
@@ -204,33 +253,6 @@ void WorstRegions::follow(const DiagramChange& change) {
   }
 }
 
-SurfacePoint WorstRegions::point() const {
-  const auto unreached = std::find(faceLabel_.begin(), faceLabel_.end(), Diagram::kUnreachable);
-  if (unreached != faceLabel_.end())
-    return {static_cast<int>(unreached - faceLabel_.begin()), Eigen::Vector3d::Constant(1.0 / 3)};
-
-  const auto worst =
-      std::max_element(regions_.begin(), regions_.end(), [](const Region& a, const Region& b) {
-        return std::pair(a.distortion, a.area) < std::pair(b.distortion, b.area);
-      });
-  const int label = static_cast<int>(worst - regions_.begin());
-  SurfacePoint farthest;
-  double most = -1;
-  const auto offer = [&](const SurfacePoint& p, double distance) {
-    if (!(distance > most)) return;
-    most = distance;
-    farthest = p;
-  };
-  for (const Share& share : worst->shares)
-    for (const int v : mesh_->face(share.face).vertices)
-      if (const LabelledDistance d = nearestOf(distances_->at(v)); d.label == label)
-        offer(pointAtVertex(*mesh_, v), d.distance);
-  const auto nearestAt = [&](int v) { return nearestOf(distances_->at(v)).distance; };
-  for (const SurfacePoint& p : worst->outline)
-    if (distanceOverCorners(*mesh_, p, nearestAt) > most) offer(p, distances_->nearest(p).distance);
-  return farthest;
-}
-
 namespace {
 
 /// Inserts a site for the worst region, again and again.
@@ -276,7 +298,7 @@ class WorstFirstSampling final : public SlicedWork<std::vector<SurfacePoint>> {
     if (!isComplete()) insertion_ = diagram_->startInsert(points_.back());
   }
 
-  /// One site per step at the most, because finding its place takes time for a whole region.
+  /// One site per step at the most, as each part of a round may use up the budget.
   bool insertOthers(long budget) {
     if (isComplete()) return true;
     if (round_.run([&] { return insertion_->step(budget); },
