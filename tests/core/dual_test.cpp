@@ -130,6 +130,21 @@ TEST_P(DualOfRandomMeshes, HasPathsAcrossItsArcs) {
   }
 }
 
+/// With `detail`, the label of a region inside a face is known at none of its corners: neither
+/// where it is the nearest (arcs 24 and 25 of the first torus) nor where straight bisectors show
+/// it, and another one is nearer (arc 2 of the second).
+TEST(Dual, HasAPathAcrossEveryArcOfADetailedDiagram) {
+  const auto mesh = shapes::torus(6, 6).mesh();
+  for (const auto& [seed, detail] : {std::pair(53, 2), {11, 1}}) {
+    const auto sites = sampleUniform(mesh, 8, seed);
+    const auto [field, diagram] = trace(mesh, sites, Metric::kExact, detail);
+    for (const DualPath& path : dualPaths(mesh, diagram, *field)) {
+      EXPECT_GE(path.points.size(), 2u) << "seed " << seed;
+      EXPECT_LT(lengthOf(mesh, path.points), 4) << "seed " << seed;
+    }
+  }
+}
+
 TEST_P(DualOfRandomMeshes, IsTheSurfaceAfterRepair) {
   const auto mesh = shapes::randomMesh(GetParam());
   const auto sites = sampleFarthest(mesh, 1 + GetParam() % 12, GetParam());

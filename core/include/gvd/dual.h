@@ -66,8 +66,9 @@ struct DualPath {
 
 /// Per arc of the diagram, the shortest path between its two sites that crosses it, over the arc's
 /// nearest point to them. The path stays in the two regions. It is a geodesic, but has a corner if
-/// the nearest point is an end of the arc. It has no points if `DistanceField::distancesAt` knows
-/// the distances of both sites nowhere on the arc, as may be with `detail`.
+/// the nearest point is an end of the arc. It leads over any point of the arc if
+/// `DistanceField::distancesAt` knows the distances of both sites nowhere on it, as may be with
+/// `detail`.
 ///
 /// `field` holds the distances that the diagram was traced from. O(vertices) per arc.
 std::vector<DualPath> dualPaths(const TriangleMesh& mesh, const Diagram& diagram,

@@ -85,13 +85,13 @@ class DistanceField {
   /// The distance of one site at a point; infinity where it is not known. For the nearest site as
   /// quick as `nearest`, for another one as slow as `distancesAt`.
   virtual double distance(int label, const SurfacePoint& p) const = 0;
-  /// Starts to find distances at many points: infinity where a label is not known at the corners of
-  /// the point's face, or at both ends of its edge, even if it is the nearest there, as `distance`
-  /// finds out. With the exact metric, each of the sites spreads once more, as far as it is nearest
-  /// and on to its points, which takes about as long as the first time. Distances that were found
-  /// are kept until their site is removed. A point that is not on the mesh throws
-  /// `Error(kInvalidPoint)` in a step. The field must outlive the work, and sites must not change
-  /// until it is done.
+  /// Starts to find distances at many points: infinity where a label is neither the nearest nor
+  /// known at the corners of the point's face, or at both ends of its edge. With the exact metric,
+  /// each of the sites spreads once more, as far as it is nearest and on to its points, which takes
+  /// about as long as the first time, and a point where its label is not known, as long as
+  /// `nearest`. Distances that were found are kept until their site is removed. A point that is not
+  /// on the mesh throws `Error(kInvalidPoint)` in a step. The field must outlive the work, and sites
+  /// must not change until it is done.
   virtual std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
       std::vector<LabelledPoint> points) const = 0;
   /// The same without steps.
@@ -111,12 +111,12 @@ class DistanceField {
   /// that the path turns at or passes, the site as it was given. Crossings have an exact zero,
   /// vertices are unit vectors; each is given in a face that the path runs through. Two points in
   /// succession have a face in common, in which the path between them is straight. One point if `p`
-  /// is at the site; empty where `distance` is infinite and the site is not the nearest one. With
-  /// the exact metric the path is as long as the distance (`lengthOf`). With DGPC the path follows
-  /// from the distances at vertices, and its length may differ from the distance; if it would be
-  /// longer by more than a tenth, or if these distances lead nowhere, the path is the shortest one
-  /// by the exact metric. O(vertices that the site has reached), then O(faces around the points of
-  /// the path), or the time of `shortestPath` in that last case.
+  /// is at the site; empty if the site does not reach it. With the exact metric the path is as long
+  /// as the distance (`lengthOf`). With DGPC the path follows from the distances at vertices, and
+  /// its length may differ from the distance; if it would be longer by more than a tenth, or if
+  /// these distances lead nowhere, the path is the shortest one by the exact metric. O(vertices that
+  /// the site has reached), then O(faces around the points of the path), or the time of
+  /// `shortestPath` in that last case and where `distance` is infinite.
   virtual std::vector<SurfacePoint> path(int label, const SurfacePoint& p) const = 0;
 };
 

@@ -223,7 +223,10 @@ class SiteDistances::DistancesAtPoints final : public SlicedWork<std::vector<dou
   bool advance(long budget) override {
     return sequence_.run(
         [&] { distances_.reserve(points_.size()); },
-        forEach(points_, budget, kQuickRounds, [&](int i) { sortOut(i); }),
+        [&](SlicedLoop& loop) {
+          return loop.runWeighted(points_.size(), budget, kQuickRounds,
+                                  [&](int i) { return sortOut(i, budget); });
+        },
         [&] {
           points_.resize(open_.size());
           atPoints_ = field_.spread_->startDistancesAt(std::move(points_), field_);
@@ -235,15 +238,22 @@ class SiteDistances::DistancesAtPoints final : public SlicedWork<std::vector<dou
   std::vector<double> result() override { return std::move(distances_); }
 
  private:
-  /// Moves the points that are left to the spread to the front of the list.
-  void sortOut(int i) {
+  /// Moves the points that are left to the spread to the front of the list. Returns how many quick
+  /// rounds it took, but for a search.
+  long sortOut(int i, long& budget) {
     const int label = points_[i].label;
     const SurfacePoint p = onMesh(field_.mesh_, points_[i].point);
     const int v = vertexAt(field_.mesh_, p);
     distances_.push_back(v >= 0 ? field_.known_.distance(v, label) : kInfinity);
-    if (v >= 0 || !field_.isKnownAround(label, p)) return;
-    points_[open_.size()] = {label, p};
-    open_.push_back(i);
+    if (v >= 0) return 1;
+    if (field_.isKnownAround(label, p)) {
+      points_[open_.size()] = {label, p};
+      open_.push_back(i);
+      return 1;
+    }
+    const LabelledDistance there = field_.nearest(p, budget);
+    if (there.label == label) distances_.back() = there.distance;
+    return kQuickRounds;
   }
 
   const SiteDistances& field_;
@@ -269,8 +279,8 @@ Eigen::Vector2d SiteDistances::direction(int label, int vertex) const {
 std::vector<SurfacePoint> SiteDistances::path(int label, const SurfacePoint& given) const {
   const SurfacePoint p = onMesh(mesh_, given);
   if (!sites_.contains(label)) return {};
-  if (!isKnownAround(label, p) && nearest(p).label != label) return {};
-  return spread_->path(label, p);
+  const bool isKnown = isKnownAround(label, p) || nearest(p).label == label;
+  return isKnown ? spread_->path(label, p) : shortestPath(mesh_, p, sites_[label]);
 }
 
 }  // namespace gvd

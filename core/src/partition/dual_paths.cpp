@@ -121,10 +121,11 @@ class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
     const Eigen::Vector2d both(distances_[2 * place], distances_[2 * place + 1]);
     squaredSums_.push_back(both.squaredNorm());
     Crossing& nearest = nearest_[places_[place].segment->arc];
-    if (both.sum() < nearest.length) nearest = {pointAt(places_[place]), both.sum()};
+    if (both.sum() < nearest.length || nearest.point.face < 0)
+      nearest = {pointAt(places_[place]), both.sum()};
   }
 
-  /// Adds the path of an arc; without points if the distances of its sites are not known there.
+  /// Adds the path of an arc; without points if there is none.
   void addPath(int arc) {
     DualPath& path = paths_.emplace_back();
     path.labels = diagram_.arcLabels[arc];
