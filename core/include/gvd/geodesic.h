@@ -90,8 +90,8 @@ class DistanceField {
   /// each of the sites spreads once more, as far as it is nearest and on to its points, which takes
   /// about as long as the first time, and a point where its label is not known, as long as
   /// `nearest`. Distances that were found are kept until their site is removed. A point that is not
-  /// on the mesh throws `Error(kInvalidPoint)` in a step. The field must outlive the work, and sites
-  /// must not change until it is done.
+  /// on the mesh throws `Error(kInvalidPoint)` in a step. The field must outlive the work, and
+  /// sites must not change until it is done.
   virtual std::unique_ptr<SlicedWork<std::vector<double>>> startDistancesAt(
       std::vector<LabelledPoint> points) const = 0;
   /// The same without steps.
@@ -114,8 +114,8 @@ class DistanceField {
   /// is at the site; empty if the site does not reach it. With the exact metric the path is as long
   /// as the distance (`lengthOf`). With DGPC the path follows from the distances at vertices, and
   /// its length may differ from the distance; if it would be longer by more than a tenth, or if
-  /// these distances lead nowhere, the path is the shortest one by the exact metric. O(vertices that
-  /// the site has reached), then O(faces around the points of the path), or the time of
+  /// these distances lead nowhere, the path is the shortest one by the exact metric. O(vertices
+  /// that the site has reached), then O(faces around the points of the path), or the time of
   /// `shortestPath` in that last case and where `distance` is infinite.
   virtual std::vector<SurfacePoint> path(int label, const SurfacePoint& p) const = 0;
 };
