@@ -21,11 +21,18 @@ bool LabelVertices::prepare(long& budget) {
 void LabelVertices::clear() {
   for (const int v : reached_) all_[v] = {.isSaddle = all_[v].isSaddle};
   reached_.clear();
+  touched_.clear();
 }
 
 void LabelVertices::add(int v) {
   reached_.push_back(v);
   all_[v].index = static_cast<int>(reached_.size()) - 1;
+}
+
+void LabelVertices::touch(int v) {
+  if (all_[v].index < 0) add(v);
+  all_[v].isTouched = true;
+  touched_.push_back(v);
 }
 
 void LabelVertices::load(const LabelState& state) {
@@ -40,18 +47,23 @@ void LabelVertices::load(const LabelState& state) {
 }
 
 void LabelVertices::store(LabelState& state) {
-  // Allocates exactly, because a label is stored only once or twice.
-  state.vertices.reserve(reached_.size());
-  state.pieces.reserve(reached_.size());
-  state.vertices.resize(reached_.size());
-  state.pieces.resize(reached_.size());
-  for (std::size_t i = 0; i < reached_.size(); ++i) {
-    Vertex& own = all_[reached_[i]];
+  // A 32nd more than is needed: some labels are stored again and again, a few vertices longer.
+  const std::size_t count = reached_.size();
+  if (count > state.vertices.capacity()) {
+    state.vertices.reserve(count + count / 32);
+    state.pieces.reserve(count + count / 32);
+  }
+  state.vertices.resize(count);
+  state.pieces.resize(count);
+  for (const int v : touched_) {
+    Vertex& own = all_[v];
+    own.isTouched = false;
     own.isFinal |= own.isRequired();
     own.required = RequiredDistances::kNone;
-    state.vertices[i] = {reached_[i], own.isFinal, own.distance};
-    state.pieces[i] = own.piece;
+    state.vertices[own.index] = {v, own.isFinal, own.distance};
+    state.pieces[own.index] = own.piece;
   }
+  touched_.clear();
 }
 
 }  // namespace gvd::exact

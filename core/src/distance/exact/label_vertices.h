@@ -22,7 +22,8 @@ class LabelVertices {
     int index = -1;                           ///< in the label's state
     int required = RequiredDistances::kNone;  ///< index in the required distances
     bool isFinal = false, isQueued = false;
-    bool isSaddle = false;  ///< of the mesh, whatever the label
+    bool isTouched = false;  ///< since the label's state was stored
+    bool isSaddle = false;   ///< of the mesh, whatever the label
 
     bool isRequired() const { return required != RequiredDistances::kNone; }
   };
@@ -35,7 +36,8 @@ class LabelVertices {
   void clear();
   /// Begins with the vertices of a label's state, after `clear`.
   void load(const LabelState& state);
-  /// Writes distances and last pieces to the label's state. Those that were required are final.
+  /// Writes distances and last pieces to the label's state, which has those from before. Those that
+  /// were required are final.
   void store(LabelState& state);
 
   std::size_t count() const { return reached_.size(); }
@@ -43,7 +45,7 @@ class LabelVertices {
   Vertex& operator[](int v) { return all_[v]; }
   /// A vertex that counts as reached from now on, if need be at distance infinity.
   Vertex& reach(int v) {
-    if (all_[v].index < 0) add(v);
+    if (!all_[v].isTouched) touch(v);
     return all_[v];
   }
   /// Infinity unless the label has reached the vertex.
@@ -51,10 +53,12 @@ class LabelVertices {
 
  private:
   void add(int v);
+  void touch(int v);
 
   const TriangleMesh& mesh_;
   std::vector<Vertex> all_;
   std::vector<int> reached_;
+  std::vector<int> touched_;  ///< those to be stored
 };
 
 }  // namespace gvd::exact

@@ -20,7 +20,7 @@ constexpr size_t kAhead = 4;
 }  // namespace
 
 long WindowSweep::require(int label, LabelState& state, std::span<const int> faces, double atMost) {
-  beginToRequire(label, state);
+  const size_t loaded = beginToRequire(label, state);
   for (size_t i = 0; i < faces.size(); ++i) {
     if (i + kAhead < faces.size()) prefetch(mesh_.face(faces[i + kAhead]));
     requireCorners(faces[i], atMost);
@@ -37,7 +37,7 @@ long WindowSweep::require(int label, LabelState& state, std::span<const int> fac
   for (const int f : faces) offerAlongSides(f);
   const size_t waiting = state.waiting.size();
   continueNeeded();
-  return static_cast<long>(state.vertices.size() + faces.size() + waiting * required_.cost());
+  return static_cast<long>(loaded + faces.size() + waiting * required_.cost());
 }
 
 /// Calls `visit` with each run of windows that wait at one halfedge. A halfedge may have several.

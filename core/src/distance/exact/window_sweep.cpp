@@ -108,17 +108,18 @@ bool WindowSweep::step(long& budget) {
 }
 
 /// Begins to spread a label on to required places. If distances of the same label were required
-/// last, all of it is still in the working memory.
-void WindowSweep::beginToRequire(int label, LabelState& state) {
-  const bool isSame =
-      to_ == SpreadTo::kRequired && label_ == label && state_ == &state && points_.isEmpty();
-  if (!isSame || isUnderWay_) {
+/// last, all of it is still in the working memory. Returns how many vertices it has loaded.
+size_t WindowSweep::beginToRequire(int label, LabelState& state) {
+  const bool isLoaded = to_ == SpreadTo::kRequired && label_ == label && state_ == &state &&
+                        points_.isEmpty() && !isUnderWay_;
+  if (!isLoaded) {
     begin(label, SpreadTo::kRequired, state);
     vertices_.load(state);
   }
   isUnderWay_ = true;
   required_.clear();
   waiting_.clear();
+  return isLoaded ? 0 : vertices_.count();
 }
 
 /// Stores in the label's state its distances and where it waits.

@@ -121,7 +121,7 @@ class WindowSweep {
   // window_sweep.cpp: labels, the queue, and where windows begin.
   void begin(int label, SpreadTo to, LabelState& state);
   void dropLeftovers();
-  void beginToRequire(int label, LabelState& state);
+  size_t beginToRequire(int label, LabelState& state);
   void store();
   void startAt(const SurfacePoint& site);
   void startAtSide(const SurfacePoint& site, int i, double angle, bool isOnSide);
