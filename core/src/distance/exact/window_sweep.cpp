@@ -232,11 +232,14 @@ void WindowSweep::prefetchTurn(int item) const {
 void WindowSweep::becomeSource(int v) {
   Vertex& own = vertices_[v];
   own.isQueued = false;
+  const auto sidesSeen = [&] { return fan_.sides(v, own.piece.arrival, own.piece.fromFoot); };
   if (!maySpreadFrom(v)) {
-    waiting_.sources.push_back(v);
+    // A boundary may have thousands of vertices that see no side. If they waited, each distance
+    // that is required would take a look at all of them. Inner vertices see some side.
+    if (!mesh_.onBoundary(v) || !sidesSeen().empty()) waiting_.sources.push_back(v);
     return;
   }
-  const auto sides = fan_.sides(v, own.piece.arrival, own.piece.fromFoot);
+  const auto sides = sidesSeen();
   if (sides.empty()) return;
   const bool isSite = own.piece.isAtSite();
   double direction =
