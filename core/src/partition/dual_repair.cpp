@@ -253,7 +253,6 @@ class Repairing final : public SlicedWork<RepairedSites> {
   /// The number of rounds is not known: each counts as half of what is left.
   double share() const override {
     if (!dynamic_) return share_ * opening_->progress();
-    if (found_.empty()) return share_;
     return share_ + (shareAfterRound() - share_) * (change_ ? change_->progress() : 0);
   }
   RepairedSites result() override { return std::move(repaired_); }

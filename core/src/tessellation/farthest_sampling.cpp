@@ -53,7 +53,7 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
         });
   }
   double share() const override {
-    return count_ > 0 ? static_cast<double>(points_.size()) / count_ : 1;
+    return count_ > 0 ? static_cast<double>(points_.size()) / count_ : sequence_.progress();
   }
   std::vector<SurfacePoint> result() override { return std::move(points_); }
 

@@ -286,9 +286,7 @@ class WorstFirstSampling final : public SlicedWork<std::vector<SurfacePoint>> {
         },
         [&] { return insertOthers(budget); });
   }
-  double share() const override {
-    return count_ > 0 ? static_cast<double>(points_.size() - 1) / count_ : 1;
-  }
+  double share() const override { return static_cast<double>(points_.size() - 1) / count_; }
   std::vector<SurfacePoint> result() override { return std::move(points_); }
 
  private:

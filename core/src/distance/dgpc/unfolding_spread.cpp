@@ -172,9 +172,7 @@ class UnfoldingSpread::PointDistances final : public SlicedWork<std::vector<doub
           at.label, at.point, [&](int v) { return distanceIn(known_.at(v), at.label); }));
     });
   }
-  double share() const override {
-    return points_.empty() ? 1 : static_cast<double>(distances_.size()) / points_.size();
-  }
+  double share() const override { return static_cast<double>(distances_.size()) / points_.size(); }
   std::vector<double> result() override { return std::move(distances_); }
 
  private:
