@@ -32,6 +32,10 @@ Shape stripOfNeedles(int faces) {
   return shape;
 }
 
+/// A tube much longer than wide. Its regions are bands between two rings of vertices, so that each
+/// label is required face after face all around.
+Shape tubeOfNeedles(int faces) { return shapes::cylinder(faces / 8, 4, 1, 120); }
+
 /// The work for the distances of 20 sites, in slices of 1000 units.
 double work(const Shape& shape, Metric metric) {
   const TriangleMesh mesh = shape.mesh();
@@ -42,7 +46,7 @@ double work(const Shape& shape, Metric metric) {
 }
 
 TEST(Growth, WorkGrowsWithTheFacesAroundAVertex) {
-  for (Shape (*const make)(int) : {flatFan, shuffledFan, narrowCone, stripOfNeedles})
+  for (Shape (*const make)(int) : {flatFan, shuffledFan, narrowCone, stripOfNeedles, tubeOfNeedles})
     for (const Metric metric : {Metric::kDgpc, Metric::kExact})
       EXPECT_LT(work(make(8000), metric), 6 * work(make(2000), metric));
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "distance/exact/window.h"
@@ -33,22 +35,44 @@ struct LastPiece {
 struct WaitingWindow {
   Window window;
   int halfedge;
+  float sleepsUntil = 0;  ///< the `RequiredDistances::travel` before which it cannot gain
 };
 
 /// Where a label was stopped, and can go on.
 struct Waiting {
-  std::vector<WaitingWindow> windows;  ///< in runs of one halfedge each
+  std::vector<WaitingWindow> windows;  ///< those that sleep come first, as a heap
+  std::size_t asleep = 0;              ///< the number of windows that sleep
   std::vector<int> sources;            ///< vertices that would become virtual sources
 
-  std::size_t size() const { return windows.size() + sources.size(); }
+  /// Windows of one halfedge often follow one another.
+  std::span<WaitingWindow> awake() { return std::span(windows).subspan(asleep); }
+  /// Wakes the windows that sleep no longer than until `travel`.
+  void wake(double travel) {
+    while (asleep > 0 && !(windows.front().sleepsUntil > travel))
+      std::pop_heap(windows.begin(), windows.begin() + static_cast<std::ptrdiff_t>(asleep--),
+                    sleepsLonger);
+  }
+  /// Puts all windows to sleep.
+  void sleep() {
+    while (asleep < windows.size())
+      std::push_heap(windows.begin(), windows.begin() + static_cast<std::ptrdiff_t>(++asleep),
+                     sleepsLonger);
+  }
+
   void clear() {
     windows.clear();
+    asleep = 0;
     sources.clear();
   }
   void append(const Waiting& more) {
     windows.reserve(windows.size() + more.windows.size());
     windows.insert(windows.end(), more.windows.begin(), more.windows.end());
     sources.insert(sources.end(), more.sources.begin(), more.sources.end());
+  }
+
+ private:
+  static bool sleepsLonger(const WaitingWindow& a, const WaitingWindow& b) {
+    return a.sleepsUntil > b.sleepsUntil;
   }
 };
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -17,20 +18,46 @@ namespace gvd::exact {
 /// is nearer. The label's windows go on only as far as they can still shorten one of these
 /// distances.
 ///
-/// Every waiting window is compared with every place, so the numbers are kept in single precision,
-/// four in a register: in bounding diagonals, and rounded so that a window never stops too early.
+/// Every window that is awake is compared with every place, so the numbers are kept in single
+/// precision, four in a register: in bounding diagonals, and rounded so that a window never stops
+/// too early.
+///
+/// A label may be required at one face after another, thousands of times along a border. Each time,
+/// the places are near those from before, and few of its windows come into question. The others
+/// sleep (`Waiting`): paths that miss a gain by some slack cannot gain before the places have come
+/// nearer by as much in all (`travel`).
 class RequiredDistances {
  public:
   /// The index of no place.
   static constexpr int kNone = 0;
 
+  /// Paths that go on from the neighbourhood of one place.
+  struct Paths {
+    Eigen::Vector3f place;
+    float reach;   ///< the radius of the neighbourhood, less the least length of the paths up to it
+    float excess;  ///< the least one over the distance of the nearest label
+  };
+
   explicit RequiredDistances(double boundingDiagonal) : scale_(1 / boundingDiagonal) { clear(); }
 
   void clear() {
-    blocks_.assign(1, Block{});
-    distances_.assign(1, {});
-    mostExcess_ = 0;
+    clearPlaces();
+    recent_ = {};
+    recentCount_ = 0;
+    travel_ = 0;
   }
+  /// Begins with other places of the same label. Some of the last ones stay the recent ones, with
+  /// their distances.
+  void beginNext() {
+    const int end = static_cast<int>(distances_.size());
+    for (int i = std::max(kNone + 1, end - kRecent); i < end; ++i) {
+      const int to = recentCount_++ % kRecent;
+      recent_[to / kLanes].setLane(to % kLanes, blocks_[i / kLanes], i % kLanes);
+    }
+    clearPlaces();
+  }
+  /// Whether distances of the label were required before.
+  bool hasRecent() const { return recentCount_ > 0; }
 
   /// How many quick rounds `canGain` takes.
   std::size_t cost() const { return 1 + blocks_.size() / kLanes; }
@@ -64,27 +91,48 @@ class RequiredDistances {
       for (int lane = 0; lane < kLanes; ++lane) most = std::max(most, block.excess[lane]);
     mostExcess_ = most / scale_;
   }
-  /// Whether paths of at least `length` to points within `radius` of `place` can become the
-  /// shortest to a required place. The rest of a path is at least as long as the straight line in
-  /// space, and its `excess` over the distance of the nearest label does not fall along the way.
-  /// Ignores the places whose indices `visitIgnored` passes to the function given to it.
+
+  /// Paths of at least `length` to points within `radius` of `place`, with some `excess` over the
+  /// distance of the nearest label.
+  Paths paths(const Eigen::Vector3d& place, double radius, double length, double excess) const {
+    return {(scale_ * place).cast<float>(), roundedUp(scale_ * (radius - length)) + kPlaceRounding,
+            -roundedUp(-scale_ * excess)};
+  }
+  /// Whether paths can become the shortest to a required place. The rest of a path is at least as
+  /// long as the straight line in space, and its excess does not fall along the way. Ignores the
+  /// places whose indices `visitIgnored` passes to the function given to it.
   template <class VisitIgnored>
-  bool canGain(const Eigen::Vector3d& place, double radius, double length, double excess,
-               VisitIgnored visitIgnored) const {
-    const Eigen::Vector3f p = (scale_ * place).cast<float>();
-    const float reach = roundedUp(scale_ * (radius - length)) + kPlaceRounding;
-    const float least = -roundedUp(-scale_ * excess);
-    const auto gainsIn = [&](const Block& block) {  // -1 where there is a gain
-      const FloatLanes rest = block.bound + reach;
-      const FloatLanes dx = block.x - p.x(), dy = block.y - p.y(), dz = block.z - p.z();
-      return (rest > 0) & (dx * dx + dy * dy + dz * dz < rest * rest) & (block.excess > least);
-    };
-    auto gains = gainsIn(blocks_[0]);
-    for (size_t i = 1; i < blocks_.size(); ++i) gains += gainsIn(blocks_[i]);
+  bool canGain(const Paths& paths, VisitIgnored visitIgnored) const {
+    auto gains = blocks_[0].gains(paths);
+    for (size_t i = 1; i < blocks_.size(); ++i) gains += blocks_[i].gains(paths);
     int count = -(gains[0] + gains[1] + gains[2] + gains[3]);
     if (count == 0) return false;
-    visitIgnored([&](int i) { count += gainsIn(blocks_[i / kLanes])[i % kLanes]; });
+    visitIgnored([&](int i) { count += blocks_[i / kLanes].gains(paths)[i % kLanes]; });
     return count > 0;
+  }
+
+  /// By how much, at most, places have come nearer to any paths in all since `clear`.
+  double travel() const { return travel_; }
+  /// Adds to `travel` by how much the places are nearer than the recent ones. To be called when
+  /// their distances have been lowered as far as is easily known.
+  void approach() {
+    double most = 0;
+    for (int i = kNone + 1; i < static_cast<int>(distances_.size()); ++i) {
+      const Block& block = blocks_[i / kLanes];
+      float least = std::numeric_limits<float>::infinity();
+      for (const Block& recent : recent_)
+        least = std::min(least, recent.leastApproach(block, i % kLanes));
+      most = std::max(most, least + kRounding * block.bound[i % kLanes]);
+    }
+    travel_ += most + kPlaceRounding;
+  }
+  /// The least `travel` at which paths can gain a place, as far as the places and the recent ones
+  /// tell.
+  float sleepsUntil(const Paths& paths) const {
+    float slack = std::numeric_limits<float>::infinity();
+    for (const Block& block : blocks_) slack = std::min(slack, block.slack(paths));
+    for (const Block& block : recent_) slack = std::min(slack, block.slack(paths));
+    return static_cast<float>((1 - kRounding) * (travel_ + std::max(slack, 0.0F)));
   }
 
  private:
@@ -92,6 +140,60 @@ class RequiredDistances {
   static constexpr double kRounding = 0x1p-21;
   /// That of the distance between two places, in bounding diagonals.
   static constexpr float kPlaceRounding = 0x1p-20F;
+  /// The number of recent places. A label that is required along a border goes on at both ends of
+  /// it and on both sides in turns: four places, each of which may be final at times.
+  static constexpr int kRecent = 8;
+
+  static constexpr int kLanes = 4;
+  /// Four places. `bound` and `excess` are what paths must stay below.
+  struct Block {
+    FloatLanes x = {}, y = {}, z = {};
+    FloatLanes bound = FloatLanes{} - std::numeric_limits<float>::infinity();
+    FloatLanes excess = bound;
+
+    void setLane(int lane, const Block& from, int fromLane) {
+      x[lane] = from.x[fromLane];
+      y[lane] = from.y[fromLane];
+      z[lane] = from.z[fromLane];
+      bound[lane] = from.bound[fromLane];
+      excess[lane] = from.excess[fromLane];
+    }
+    FloatLanes squaredDistance(float px, float py, float pz) const {
+      const FloatLanes dx = x - px, dy = y - py, dz = z - pz;
+      return dx * dx + dy * dy + dz * dz;
+    }
+    /// -1 at places that paths can gain.
+    auto gains(const Paths& p) const {
+      const FloatLanes rest = bound + p.reach;
+      const FloatLanes squared = squaredDistance(p.place.x(), p.place.y(), p.place.z());
+      return (rest > 0) & (squared < rest * rest) & (excess > p.excess);
+    }
+    /// By how much paths miss a gain, at least: in distance or in excess, whichever is more.
+    float slack(const Paths& p) const {
+      const FloatLanes rest = bound + p.reach, missing = p.excess - excess;
+      const FloatLanes squared = squaredDistance(p.place.x(), p.place.y(), p.place.z());
+      float least = std::numeric_limits<float>::infinity();
+      for (int i = 0; i < kLanes; ++i)
+        least = std::min(least, std::max(std::sqrt(squared[i]) - rest[i], missing[i]));
+      return least;
+    }
+    /// By how much the slack of any paths is less at a place of another block than at the place
+    /// here that tells most: distances to the two places differ by that between them, at most.
+    float leastApproach(const Block& to, int lane) const {
+      const FloatLanes squared = squaredDistance(to.x[lane], to.y[lane], to.z[lane]);
+      float least = std::numeric_limits<float>::infinity();
+      for (int i = 0; i < kLanes; ++i)
+        least = std::min(least, std::max(std::sqrt(squared[i]) + to.bound[lane] - bound[i],
+                                         to.excess[lane] - excess[i]));
+      return least;
+    }
+  };
+
+  void clearPlaces() {
+    blocks_.assign(1, Block{});
+    distances_.assign(1, {});
+    mostExcess_ = 0;
+  }
 
   /// Paths that tie with the distance can still become the shortest.
   void limit(int index) {
@@ -107,14 +209,6 @@ class RequiredDistances {
     return static_cast<float>(value + kRounding * std::abs(value));
   }
 
-  /// Four places. `bound` and `excess` are what paths must stay below.
-  static constexpr int kLanes = 4;
-  struct Block {
-    FloatLanes x = {}, y = {}, z = {};
-    FloatLanes bound = FloatLanes{} - std::numeric_limits<float>::infinity();
-    FloatLanes excess = bound;
-  };
-
   /// Of the label, and of the nearest one.
   struct Distances {
     double own = 0, nearest = 0;
@@ -125,6 +219,9 @@ class RequiredDistances {
   std::vector<Block> blocks_;
   std::vector<Distances> distances_;
   double mostExcess_ = 0;
+  std::array<Block, kRecent / kLanes> recent_;  ///< as they were at the end
+  int recentCount_ = 0;                         ///< since `clear`
+  double travel_ = 0;
 };
 
 }  // namespace gvd::exact

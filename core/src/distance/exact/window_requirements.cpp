@@ -26,29 +26,35 @@ long WindowSweep::require(int label, LabelState& state, std::span<const int> fac
     requireCorners(faces[i], atMost);
   }
 
-  // Good first distances leave few windows that have to go on. They come from windows that wait at
-  // a face with a required corner, and along the face's sides. Some corner is always known: a label
-  // that owns part of a face has its site there, or owns a corner, or is known at both ends of a
-  // side.
-  visitWaiting([&](int h, std::span<const WaitingWindow> windows) {
+  // Good first distances leave few windows that have to go on. They come along the sides of the
+  // faces, and from windows that wait at a face with a required corner. Some corner is always
+  // known: a label that owns part of a face has its site there, or owns a corner, or is known at
+  // both ends of a side.
+  if (required_.hasRecent()) {
+    for (const int f : faces) offerAlongSides(f);
+    required_.approach();
+    state.waiting.wake(required_.travel());
+  }
+  visitAwake([&](int h, std::span<const WaitingWindow> windows) {
     if (!hasRequiredCorner(h / 3)) return;
     for (const WaitingWindow& w : windows) offerToCorners(w.window, h);
   });
   for (const int f : faces) offerAlongSides(f);
-  const size_t waiting = state.waiting.size();
+  const size_t awake = state.waiting.awake().size() + state.waiting.sources.size();
   continueNeeded();
-  return static_cast<long>(loaded + faces.size() + waiting * required_.cost());
+  return static_cast<long>(loaded + faces.size() + awake * required_.cost());
 }
 
-/// Calls `visit` with each run of windows that wait at one halfedge. A halfedge may have several.
+/// Calls `visit` with each run of windows that are awake at one halfedge. A halfedge may have
+/// several.
 template <class Visit>
-void WindowSweep::visitWaiting(Visit visit) const {
-  const std::span<const WaitingWindow> waiting = state_->waiting.windows;
-  for (size_t begin = 0, end; begin < waiting.size(); begin = end) {
-    const int h = waiting[begin].halfedge;
-    if (begin + kAhead < waiting.size()) prefetch(mesh_.face(waiting[begin + kAhead].halfedge / 3));
-    for (end = begin + 1; end < waiting.size() && waiting[end].halfedge == h;) ++end;
-    visit(h, waiting.subspan(begin, end - begin));
+void WindowSweep::visitAwake(Visit visit) const {
+  const std::span<const WaitingWindow> awake = state_->waiting.awake();
+  for (size_t begin = 0, end; begin < awake.size(); begin = end) {
+    const int h = awake[begin].halfedge;
+    if (begin + kAhead < awake.size()) prefetch(mesh_.face(awake[begin + kAhead].halfedge / 3));
+    for (end = begin + 1; end < awake.size() && awake[end].halfedge == h;) ++end;
+    visit(h, awake.subspan(begin, end - begin));
   }
 }
 
@@ -130,6 +136,9 @@ void WindowSweep::start(int label, LabelState& state, std::span<const RequiredPo
 
 void WindowSweep::require(int label, LabelState& state, std::span<const RequiredPoint> points) {
   beginToRequire(label, state);
+  // No window has been compared with these places.
+  required_.clear();
+  state.waiting.asleep = 0;
   addPoints(points);
   for (const WaitingWindow& w : state.waiting.windows) offerToPoints(w.window, w.halfedge);
   continueNeeded();
@@ -176,16 +185,16 @@ void WindowSweep::offerToPointsFrom(int corner, int f) {
 
 // --- Which windows go on -------------------------------------------------------------------------
 
-/// Whether windows at a halfedge can shorten a required distance outside the halfedge's face.
-/// Inside the face they have already offered their paths.
+/// The paths through windows at a halfedge; none if all of them have at least the excess
+/// `mostExcess`.
 template <class Windows>
-bool WindowSweep::canGain(int h, const Windows& windows) {
+std::optional<RequiredDistances::Paths> WindowSweep::pathsThrough(int h, const Windows& windows,
+                                                                  double mostExcess) const {
   const TriangleMesh::Face& face = mesh_.face(h / 3);
   const int i = h % 3, j = cornerAfter(i);
   const double length = face.lengths[i];
   const double nearTail = bounds_[face.vertices[i]].distance;
   const double nearTip = bounds_[face.vertices[j]].distance;
-  const double mostExcess = required_.mostExcess();
   double begin = length, end = 0, least = kInfinity, excess = kInfinity;
   windows([&](const Window& w) {
     // Lower bounds on the excess: the nearest distance rises at most by the way along the halfedge.
@@ -198,26 +207,41 @@ bool WindowSweep::canGain(int h, const Windows& windows) {
     end = std::max(end, w.end);
     least = std::min(least, w.least());
   });
-  if (excess == kInfinity) return false;
+  if (excess == kInfinity) return std::nullopt;
   const double middle = (begin + end) / 2, share = middle / length;
   const Eigen::Vector3d place =
       (1 - share) * placeOf(face.vertices[i]) + share * placeOf(face.vertices[j]);
-  return required_.canGain(place, end - middle, least, excess, [&](auto ignore) {
-    for (const int v : face.vertices) ignore(vertices_[v].required);
+  return required_.paths(place, end - middle, least, excess);
+}
+
+/// Whether paths through windows at a halfedge can shorten a required distance outside the
+/// halfedge's face. Inside the face they have already been offered.
+bool WindowSweep::canGain(int h, const std::optional<Paths>& paths) const {
+  return paths && required_.canGain(*paths, [&](auto ignore) {
+    for (const int v : mesh_.face(h / 3).vertices) ignore(vertices_[v].required);
     for (const auto& p : points_.in(h / 3)) ignore(p.index);
   });
 }
 
-/// Queues the waiting windows and sources that can shorten a required distance.
+/// Queues the windows that are awake and the waiting sources, if they can shorten a required
+/// distance. The other windows sleep, if distances of the label were required before: then they are
+/// likely to be required again.
 void WindowSweep::continueNeeded() {
   required_.findMostExcess();
-  std::vector<WaitingWindow>& waiting = state_->waiting.windows;
-  auto kept = waiting.begin();
-  visitWaiting([&](int h, std::span<const WaitingWindow> windows) {
-    if (!canGain(h, [&](auto visit) {
+  Waiting& waiting = state_->waiting;
+  const bool isRepeated = required_.hasRecent();
+  const double mostExcess = isRepeated ? kInfinity : required_.mostExcess();
+  auto kept = waiting.awake().begin();
+  visitAwake([&](int h, std::span<const WaitingWindow> windows) {
+    const auto paths = pathsThrough(
+        h,
+        [&](auto visit) {
           for (const WaitingWindow& w : windows) visit(w.window);
-        })) {
-      for (const WaitingWindow& w : windows) *kept++ = w;
+        },
+        mostExcess);
+    if (!canGain(h, paths)) {
+      const float sleepsUntil = isRepeated ? required_.sleepsUntil(*paths) : 0;
+      for (const WaitingWindow& w : windows) *kept++ = {w.window, h, sleepsUntil};
       return;
     }
     const bool isFirst = windows_.isEmpty(h);
@@ -228,8 +252,10 @@ void WindowSweep::continueNeeded() {
     }
     if (isFirst) queueBatch(h, least);
   });
-  waiting.erase(kept, waiting.end());
-  std::erase_if(state_->waiting.sources, [&](int v) {
+  waiting.windows.erase(waiting.windows.end() - (waiting.awake().end() - kept),
+                        waiting.windows.end());
+  if (isRepeated) waiting.sleep();
+  std::erase_if(waiting.sources, [&](int v) {
     if (!maySpreadFrom(v)) return false;
     queueSource(v);
     return true;
@@ -246,8 +272,8 @@ bool WindowSweep::offerAndGoOn(int h) {
       if (hasCorner) offerToCorners(w, h);
       if (hasPoints) offerToPoints(w, h);
     }
-  if (canGain(h, [&](auto visit) { std::for_each(windows.begin(), windows.end(), visit); }))
-    return true;
+  const auto each = [&](auto visit) { std::for_each(windows.begin(), windows.end(), visit); };
+  if (canGain(h, pathsThrough(h, each, required_.mostExcess()))) return true;
   for (const Window& w : windows) waiting_.windows.push_back({w, h});
   windows_.free(windows_.take(h));
   return false;

@@ -107,18 +107,21 @@ bool WindowSweep::step(long& budget) {
   return true;
 }
 
-/// Begins to spread a label on to required places. If distances of the same label were required
-/// last, all of it is still in the working memory. Returns how many vertices it has loaded.
+/// Begins to spread a label on to required places. If distances of the same label were required at
+/// vertices last, all of it is still in the working memory. Returns how many vertices it has
+/// loaded.
 size_t WindowSweep::beginToRequire(int label, LabelState& state) {
   const bool isLoaded = to_ == SpreadTo::kRequired && label_ == label && state_ == &state &&
                         points_.isEmpty() && !isUnderWay_;
-  if (!isLoaded) {
+  if (isLoaded) {
+    required_.beginNext();
+    waiting_.clear();
+  } else {
     begin(label, SpreadTo::kRequired, state);
     vertices_.load(state);
+    state.waiting.asleep = 0;
   }
   isUnderWay_ = true;
-  required_.clear();
-  waiting_.clear();
   return isLoaded ? 0 : vertices_.count();
 }
 
@@ -255,7 +258,7 @@ bool WindowSweep::maySpreadFrom(int v) {
   const double nearest = bounds_[v].distance;
   if (own.distance <= nearest + tieMargin_) return true;
   if (to_ != SpreadTo::kRequired || own.distance - nearest >= required_.mostExcess()) return false;
-  return required_.canGain(placeOf(v), 0, own.distance, own.distance - nearest,
+  return required_.canGain(required_.paths(placeOf(v), 0, own.distance, own.distance - nearest),
                            [&](auto ignore) { ignore(own.required); });
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -160,9 +161,11 @@ class WindowSweep {
   void offerAlongSides(int face);
   void offerToCorners(const Window& w, int halfedge);
   template <class Visit>
-  void visitWaiting(Visit visit) const;
+  void visitAwake(Visit visit) const;
+  using Paths = RequiredDistances::Paths;
   template <class Windows>
-  bool canGain(int halfedge, const Windows& windows);
+  std::optional<Paths> pathsThrough(int halfedge, const Windows& windows, double mostExcess) const;
+  bool canGain(int halfedge, const std::optional<Paths>& paths) const;
   void continueNeeded();
   bool offerAndGoOn(int halfedge);
 
