@@ -12,6 +12,8 @@ using Lanes = double __attribute__((vector_size(16)));
 
 /// Four numbers of single precision.
 using FloatLanes = float __attribute__((vector_size(16)));
+/// What comparisons of these give: -1 where it is true, or 0.
+using FloatMask = int __attribute__((vector_size(16)));
 
 /// The same number twice.
 inline Lanes both(double value) { return Lanes{value, value}; }

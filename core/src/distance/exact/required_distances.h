@@ -48,14 +48,7 @@ class RequiredDistances {
   }
   /// Begins with other places of the same label. Some of the last ones stay the recent ones, with
   /// their distances.
-  void beginNext() {
-    const int end = static_cast<int>(distances_.size());
-    for (int i = std::max(kNone + 1, end - kRecent); i < end; ++i) {
-      const int to = recentCount_++ % kRecent;
-      recent_[to / kLanes].setLane(to % kLanes, blocks_[i / kLanes], i % kLanes);
-    }
-    clearPlaces();
-  }
+  void beginNext();
   /// Whether distances of the label were required before.
   bool hasRecent() const { return recentCount_ > 0; }
 
@@ -103,7 +96,7 @@ class RequiredDistances {
   /// places whose indices `visitIgnored` passes to the function given to it.
   template <class VisitIgnored>
   bool canGain(const Paths& paths, VisitIgnored visitIgnored) const {
-    auto gains = blocks_[0].gains(paths);
+    FloatMask gains = blocks_[0].gains(paths);
     for (size_t i = 1; i < blocks_.size(); ++i) gains += blocks_[i].gains(paths);
     int count = -(gains[0] + gains[1] + gains[2] + gains[3]);
     if (count == 0) return false;
@@ -115,25 +108,10 @@ class RequiredDistances {
   double travel() const { return travel_; }
   /// Adds to `travel` by how much the places are nearer than the recent ones. To be called when
   /// their distances have been lowered as far as is easily known.
-  void approach() {
-    double most = 0;
-    for (int i = kNone + 1; i < static_cast<int>(distances_.size()); ++i) {
-      const Block& block = blocks_[i / kLanes];
-      float least = std::numeric_limits<float>::infinity();
-      for (const Block& recent : recent_)
-        least = std::min(least, recent.leastApproach(block, i % kLanes));
-      most = std::max(most, least + kRounding * block.bound[i % kLanes]);
-    }
-    travel_ += most + kPlaceRounding;
-  }
+  void approach();
   /// The least `travel` at which paths can gain a place, as far as the places and the recent ones
   /// tell.
-  float sleepsUntil(const Paths& paths) const {
-    float slack = std::numeric_limits<float>::infinity();
-    for (const Block& block : blocks_) slack = std::min(slack, block.slack(paths));
-    for (const Block& block : recent_) slack = std::min(slack, block.slack(paths));
-    return static_cast<float>((1 - kRounding) * (travel_ + std::max(slack, 0.0F)));
-  }
+  float sleepsUntil(const Paths& paths) const;
 
  private:
   /// The relative rounding error of a few operations in single precision, each 2^-24.
@@ -151,42 +129,22 @@ class RequiredDistances {
     FloatLanes bound = FloatLanes{} - std::numeric_limits<float>::infinity();
     FloatLanes excess = bound;
 
-    void setLane(int lane, const Block& from, int fromLane) {
-      x[lane] = from.x[fromLane];
-      y[lane] = from.y[fromLane];
-      z[lane] = from.z[fromLane];
-      bound[lane] = from.bound[fromLane];
-      excess[lane] = from.excess[fromLane];
-    }
+    void setLane(int lane, const Block& from, int fromLane);
     FloatLanes squaredDistance(float px, float py, float pz) const {
       const FloatLanes dx = x - px, dy = y - py, dz = z - pz;
       return dx * dx + dy * dy + dz * dz;
     }
-    /// -1 at places that paths can gain.
-    auto gains(const Paths& p) const {
+    /// The places that paths can gain.
+    FloatMask gains(const Paths& p) const {
       const FloatLanes rest = bound + p.reach;
       const FloatLanes squared = squaredDistance(p.place.x(), p.place.y(), p.place.z());
       return (rest > 0) & (squared < rest * rest) & (excess > p.excess);
     }
     /// By how much paths miss a gain, at least: in distance or in excess, whichever is more.
-    float slack(const Paths& p) const {
-      const FloatLanes rest = bound + p.reach, missing = p.excess - excess;
-      const FloatLanes squared = squaredDistance(p.place.x(), p.place.y(), p.place.z());
-      float least = std::numeric_limits<float>::infinity();
-      for (int i = 0; i < kLanes; ++i)
-        least = std::min(least, std::max(std::sqrt(squared[i]) - rest[i], missing[i]));
-      return least;
-    }
+    float slack(const Paths& p) const;
     /// By how much the slack of any paths is less at a place of another block than at the place
     /// here that tells most: distances to the two places differ by that between them, at most.
-    float leastApproach(const Block& to, int lane) const {
-      const FloatLanes squared = squaredDistance(to.x[lane], to.y[lane], to.z[lane]);
-      float least = std::numeric_limits<float>::infinity();
-      for (int i = 0; i < kLanes; ++i)
-        least = std::min(least, std::max(std::sqrt(squared[i]) + to.bound[lane] - bound[i],
-                                         to.excess[lane] - excess[i]));
-      return least;
-    }
+    float leastApproach(const Block& to, int lane) const;
   };
 
   void clearPlaces() {
