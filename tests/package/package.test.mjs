@@ -197,9 +197,15 @@ test('its types are complete, with and without those of Node', () => {
   writeFileSync(
     join(installed.folder, 'page.mts'),
     `import { loadWorker } from 'geodesic-voronoi';
+     import 'geodesic-voronoi/element';
      await loadWorker({ worker: new Worker('w.js') });
      // @ts-expect-error: no worker
-     await loadWorker({ worker: { postMessage() {} } });`,
+     await loadWorker({ worker: { postMessage() {} } });
+     const viewer = document.createElement('geodesic-voronoi');
+     viewer.addEventListener('load', ({ detail }) => console.log(detail.info.faces));
+     viewer.addEventListener('click', ({ clientX }) => console.log(clientX)); // as of every element
+     viewer.addEventListener('dragover', (event) => event.preventDefault());
+     viewer.addEventListener('mine', (event) => console.log(event.type));`,
   );
   const strict = ['--strict', '--exactOptionalPropertyTypes'];
   const options = ['--noEmit', ...strict, '--target', 'es2022', '--lib', 'es2022,dom'];

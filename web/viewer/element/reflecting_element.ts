@@ -10,13 +10,13 @@ import type { Status } from '../session/session_listener.js';
 /** Where there is no DOM, importing the element does nothing. */
 const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
 
-type Listener<Type extends keyof ViewerEventMap> = (
-  this: HTMLElement,
-  event: ViewerEventMap[Type],
-) => unknown;
+/** The events of the element, and those that every element has, as `click`. */
+type EventMap = ViewerEventMap & Omit<HTMLElementEventMap, keyof ViewerEventMap>;
+
+type Listener<Type extends keyof EventMap> = (this: HTMLElement, event: EventMap[Type]) => unknown;
 
 export interface ReflectingElement {
-  addEventListener<Type extends keyof ViewerEventMap>(
+  addEventListener<Type extends keyof EventMap>(
     type: Type,
     listener: Listener<Type>,
     options?: boolean | AddEventListenerOptions,
@@ -26,7 +26,7 @@ export interface ReflectingElement {
     listener: EventListenerOrEventListenerObject,
     options?: boolean | AddEventListenerOptions,
   ): void;
-  removeEventListener<Type extends keyof ViewerEventMap>(
+  removeEventListener<Type extends keyof EventMap>(
     type: Type,
     listener: Listener<Type>,
     options?: boolean | EventListenerOptions,
