@@ -6,6 +6,8 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { suite, test } from 'node:test';
+import { torus } from '../../web/page/samples/shapes.mjs';
+import { glb } from '../wasm/meshes.mjs';
 import { browserForTests } from './browser.mjs';
 
 const browser = await browserForTests();
@@ -295,8 +297,15 @@ suite('access', () => {
 
   test('in a small window the model is beside the toolbar, and the legend is small', async () => {
     const viewer = await browser.open({ viewport: { width: 800, height: 600 } });
-    const toolbar = await viewer.page.locator('#toolbar').boundingBox();
-    assert.equal(await viewer.surfaceIn(toolbar), undefined);
+    const { positions, indices } = torus();
+    const long = { positions: positions.map((x, i) => (i % 3 === 0 ? 3 * x : x)), indices };
+    await viewer.after('diagram', () => viewer.choose({ 'long.glb': glb(long) }));
+    for (const width of [1280, 1150, 1024, 800]) {
+      await viewer.page.setViewportSize({ width, height: 600 });
+      await viewer.still();
+      const toolbar = await viewer.page.locator('#toolbar').boundingBox();
+      assert.equal(await viewer.surfaceIn(toolbar), undefined, `in a window ${width} pixels wide`);
+    }
     await viewer.set({ layers: ['distances', 'sites'] });
     const legend = viewer.page.locator('geodesic-voronoi [part=distances]');
     await legend.waitFor();
