@@ -113,7 +113,10 @@ suite('files', () => {
     const note = viewer.page.locator('#note');
     const scaled = ['x,y,z', places.slice(0, 3).map((x) => 1000 * x)].join('\n');
     await viewer.after('diagram', () => drop('mm.csv', scaled));
-    assert.match(await note.textContent(), /1 point of the file .* away from the surface/);
+    assert.match(
+      await note.textContent(),
+      /replaced by the 1 point of the file, .* away from the surface/,
+    );
     await viewer.after('diagram', () => viewer.page.click('#undo'));
     assert.equal(await note.isVisible(), false);
     await viewer.after('diagram', () => viewer.page.click('#undo'));
@@ -132,7 +135,7 @@ suite('files', () => {
     const note = viewer.page.locator('#note');
     assert.match(
       await note.textContent(),
-      /two\.ply has no triangles: .* where the 2 points of the file are\./,
+      /two\.ply has no triangles: .* replaced by the 2 points of the file\./,
     );
     await viewer.after('diagram', () => note.getByText('Undo').click());
     assert.deepEqual(await viewer.sites(), before);

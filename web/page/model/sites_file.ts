@@ -83,7 +83,7 @@ function tellOfPoints(viewer: GeodesicVoronoiElement, file: File, far: number): 
   const what = isPly(file) ? `${file.name} has no triangles: the` : 'The';
   const points = counted(viewer.sites.face.length, 'point');
   const how = isFar ? `, up to ${measure(far)} away from the surface` : '';
-  showNoteOnSites(viewer, `${what} sites are now where the ${points} of the file are${how}.`, {
+  showNoteOnSites(viewer, `${what} sites have been replaced by the ${points} of the file${how}.`, {
     title: 'Undo',
     act: () => viewer.undo(),
   });
