@@ -240,8 +240,8 @@ export class GeodesicVoronoiElement extends ReflectingElement {
   /**
    * Moves the sites to the centroids of their regions, or goes on doing so, until the number of
    * iterations is a multiple of `cvt-iterations`. All of it is one step to undo. Adding, moving or
-   * removing a site meanwhile is a step of its own, and iterations go on from there; undoing, or
-   * another `cvt-method`, `cvt-tolerance` or `metric`, ends them.
+   * removing a site meanwhile is a step of its own, and iterations go on from there; undoing ends them.
+   * Another `cvt-method`, `cvt-tolerance` or `metric` holds from the next call, which then begins anew.
    */
   playCvt(): void {
     this.#editable.playCvt();
