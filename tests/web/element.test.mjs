@@ -829,6 +829,29 @@ suite('attributes and events', () => {
     assert.equal(moved.orbit, '30deg 75deg 120%');
   });
 
+  test('a model that is not seen from the first direction fits a view of another shape, too', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
+    await viewer.after('camera-change', () => viewer.set({ cameraOrbit: '30deg 75deg 120%' }));
+    const orbits = [];
+    for (const style of [
+      { width: '200px', height: '400px' },
+      { display: 'none' },
+      { display: 'block', width: '90px', height: '360px' },
+    ]) {
+      await viewer.evaluate((viewer, style) => void Object.assign(viewer.style, style), style);
+      await viewer.drawn();
+      orbits.push(await viewer.evaluate((viewer) => viewer.cameraOrbit));
+    }
+    assert.deepEqual(orbits, Array(3).fill('30deg 75deg 120%'));
+    const seen = await viewer.evaluate((viewer) => {
+      const { left, right, top, height } = viewer.getBoundingClientRect();
+      const isSeen = (x) =>
+        Array.from({ length: height }, (_, y) => viewer.surfaceFromPoint(x, top + y)).some(Boolean);
+      return [left + 1, (left + right) / 2 - 30, right - 1].map(isSeen);
+    });
+    assert.deepEqual(seen, [false, true, false]);
+  });
+
   test('the camera is told to be nowhere but where a model is seen from', async () => {
     const viewer = await emptyPage();
     const orbits = await viewer.evaluate(async () => {

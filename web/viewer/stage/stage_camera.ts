@@ -79,8 +79,8 @@ export class StageCamera {
   }
 
   /**
-   * Sets the view's size in CSS pixels. A framed model stays framed, and the target is in the middle of
-   * what the padding leaves.
+   * Sets the view's size in CSS pixels. A framed model stays framed, any other orbit the same share of the
+   * distance from which the model fills the view; the target is in the middle of what the padding leaves.
    */
   resize(width: number, height: number, padding: Padding): void {
     this.#size = { width, height };
@@ -90,8 +90,13 @@ export class StageCamera {
     const down = (padding.bottom - padding.top) / 2;
     // This call updates the projection, too.
     this.object.setViewOffset(width, height, right, down, width, height);
-    if (this.#isFramed) this.frame(this.#points);
-    else this.#framingDistance = this.#framing().distance;
+    if (this.#isFramed) {
+      this.frame(this.#points);
+    } else {
+      const { orbit } = this;
+      this.#framingDistance = this.#framing().distance;
+      this.orbit = orbit;
+    }
   }
 
   /**
