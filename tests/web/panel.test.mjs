@@ -61,6 +61,31 @@ suite('the panel', () => {
     assert.equal(await list.evaluate(({ selectedIndex }) => selectedIndex), 57);
   });
 
+  // A browser walks through all options to count them, or to find one after another has changed.
+  test('a long list of sites is not counted for each of them', async () => {
+    await viewer.page.getByText('List of 60 sites').click();
+    await viewer.page.locator('#site-list option').nth(59).waitFor({ state: 'attached' });
+    await viewer.page.evaluate(() => {
+      window.counts = 0;
+      for (const name of ['length', 'options']) {
+        const { get, set } = Object.getOwnPropertyDescriptor(HTMLSelectElement.prototype, name);
+        const counted = {
+          get() {
+            ++window.counts;
+            return get.call(this);
+          },
+          ...(set && { set }),
+        };
+        Object.defineProperty(document.querySelector('#site-list'), name, counted);
+      }
+    });
+    await viewer.after('diagram', () => viewer.evaluate((viewer) => viewer.removeSite(5)));
+    await viewer.page.getByText('List of 59 sites').waitFor();
+    assert.equal(await viewer.page.locator('#site-list option').count(), 59);
+    const counts = await viewer.page.evaluate(() => window.counts);
+    assert.ok(counts < 10, `${counts} times`);
+  });
+
   test('what the diagram is made of and what its stages took is told', async () => {
     const diagram = await open('torus.glb', torus());
     await showGroup('Diagram');

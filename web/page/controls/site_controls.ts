@@ -127,10 +127,12 @@ function setUpList(viewer: GeodesicVoronoiElement): void {
     if (!details.open) return;
     const areas = viewer.regionAreas;
     list.length = Math.min(list.length, areas.length);
+    const options = [...list.options]; // read once: a list counts its options whenever it is asked
     areas.forEach((area, i) => {
-      if (i < list.length && area === shown[i]) return;
+      const option = options.at(i);
+      if (option && area === shown[i]) return;
       const text = `Site ${i}, region of area ${measure(area)}`;
-      if (i < list.length) list.options[i].text = text;
+      if (option) option.text = text;
       else list.add(new Option(text));
     });
     shown = areas;
