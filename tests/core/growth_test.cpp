@@ -11,6 +11,7 @@
 #include "gvd/diagram.h"
 #include "gvd/geodesic.h"
 #include "gvd/sampling.h"
+#include "mesh/twin_matching.h"
 #include "shapes.h"
 
 namespace gvd {
@@ -115,6 +116,22 @@ int stepsToTrace(const TriangleMesh& mesh, int siteCount) {
 TEST(Growth, FacesWithManyLabelsAreTracedInMoreSteps) {
   const TriangleMesh mesh = shapes::vertexFan(300, 0.3).mesh();
   EXPECT_GT(stepsToTrace(mesh, 100), 10 * stepsToTrace(mesh, 2) + 20);
+}
+
+/// Halfedges that all end at one vertex are not all compared with each other.
+TEST(Growth, TwinsAroundAVertexAreFoundInShortLists) {
+  const TriangleMesh mesh = shuffledFan(1000).mesh();
+  TwinMatching twins;
+  long budget = kUnlimited;
+  twins.prepare(mesh.halfedgeCount(), budget);
+  int looks = 0;
+  const auto tail = [&](int h) {
+    ++looks;
+    return mesh.tail(h);
+  };
+  for (int h = 0; h < mesh.halfedgeCount(); ++h) twins.add(h, tail, [](int) { return true; });
+  EXPECT_LT(looks, 8 * mesh.halfedgeCount());
+  for (int h = 0; h < mesh.halfedgeCount(); ++h) EXPECT_EQ(twins[h], mesh.twin(h));
 }
 
 }  // namespace

@@ -30,18 +30,19 @@ ComplexBuilding::ComplexBuilding(const TriangleMesh& mesh, const DistanceField& 
 }
 
 bool ComplexBuilding::step(long& budget) {
-  return sequence_.run([&] { return complex_.isPart() || addMesh(budget); },
-                       [&] {
-                         return detail_ == 0 ||
-                                runPart(splitting_, budget, mesh_, ties_, distances_, longestSide_,
-                                        complex_.elements_, complex_.nodes_);
-                       },
-                       [&] { return matchTwins(budget); },
-                       [&] { complex_.soleOwner_.reserve(complex_.elementCount()); },
-                       [&](SlicedLoop& loop) {
-                         return loop.run(complex_.elementCount(), budget, kQuickRounds,
-                                         [&](int e) { findOwner(e); });
-                       });
+  return sequence_.run(
+      [&] { return complex_.isPart() || addMesh(budget); },
+      [&] {
+        return detail_ == 0 || runPart(splitting_, budget, mesh_, ties_, distances_, longestSide_,
+                                       complex_.elements_, complex_.nodes_);
+      },
+      [&] { return complex_.twins_.prepare(complex_.elements_.tail.size(), budget); },
+      forEach(complex_.elements_.tail, budget, kQuickRounds, [&](int h) { matchTwin(h); }),
+      [&] { complex_.soleOwner_.reserve(complex_.elementCount()); },
+      [&](SlicedLoop& loop) {
+        return loop.run(complex_.elementCount(), budget, kQuickRounds,
+                        [&](int e) { findOwner(e); });
+      });
 }
 
 /// Finds the owners of all vertices, and adds the faces if mixed ones are to be split.
@@ -73,10 +74,19 @@ double ComplexBuilding::expectedParts(int face) const {
   return std::min(4 * longest / longestSide_, kMost);
 }
 
-bool ComplexBuilding::matchTwins(long& budget) {
-  if (detail_ > 0) return complex_.twins_.match(complex_.nodes_.count(), budget);
-  if (complex_.isPart()) complex_.twins_.matchFaces(complex_.indexInPart_);
-  return true;
+/// A side on the mesh boundary gets no twin, even if the mesh was cut there and another side has
+/// the same two nodes.
+void ComplexBuilding::matchTwin(int h) {
+  const Elements& elements = complex_.elements_;
+  if (const int side = elements.meshHalfedge(h); side >= 0) {
+    const int twin = mesh_.twin(side);
+    const int beyond = twin < 0 ? -1 : complex_.faceIndex(TriangleMesh::faceOf(twin));
+    if (beyond < 0) return;
+    if (complex_.isFace(h / 3) && complex_.isFace(beyond))
+      return complex_.twins_.set(h, 3 * beyond + twin % 3);
+  }
+  complex_.twins_.add(
+      h, [&](int of) { return elements.tail[of]; }, [](int /*other*/) { return true; });
 }
 
 void ComplexBuilding::startPart(std::span<const int> faces) {

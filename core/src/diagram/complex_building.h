@@ -34,7 +34,7 @@ class ComplexBuilding {
 
  private:
   bool addMesh(long& budget);
-  bool matchTwins(long& budget);
+  void matchTwin(int h);
   void addFace(int face);
   double expectedParts(int face) const;
   void clear();

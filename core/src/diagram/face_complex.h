@@ -5,11 +5,11 @@
 #include <span>
 #include <vector>
 
-#include "diagram/element_twins.h"
 #include "diagram/elements.h"
 #include "diagram/node_labels.h"
 #include "gvd/geodesic.h"
 #include "gvd/triangle_mesh.h"
+#include "mesh/twin_matching.h"
 
 namespace gvd {
 
@@ -75,10 +75,7 @@ class FaceComplex {
  private:
   friend class ComplexBuilding;
   FaceComplex(const TriangleMesh& mesh, const DistanceField& distances, bool hasOwnElements)
-      : mesh_(mesh),
-        hasOwnElements_(hasOwnElements),
-        nodes_(distances, mesh.vertexCount()),
-        twins_(mesh, elements_) {}
+      : mesh_(mesh), hasOwnElements_(hasOwnElements), nodes_(distances, mesh.vertexCount()) {}
 
   bool isPart() const { return !indexInPart_.empty(); }
 
@@ -86,7 +83,7 @@ class FaceComplex {
   const bool hasOwnElements_;  ///< false: the elements are the faces of the mesh
   NodeLabels nodes_;
   Elements elements_;  ///< these two are empty without elements of its own
-  ElementTwins twins_;
+  TwinMatching twins_;
   std::vector<int> soleOwner_;  ///< per element
   std::vector<int> undecided_;
   int mixedCount_ = 0;

@@ -17,10 +17,10 @@
 #include "mesh/face_layout.h"
 #include "mesh/representations.h"
 #include "mesh/surface_geometry.h"
+#include "mesh/twin_matching.h"
 #include "partition/convex_triangulation.h"
 #include "partition/region_patches.h"
 #include "partition/side_points.h"
-#include "partition/twin_matching.h"
 
 namespace gvd {
 namespace {
@@ -187,7 +187,9 @@ class Partitioner final : public SlicedWork<Partition> {
           uncut_ = cutting_.takeUncut();
         },
         [&] { return groupByLabel(budget); }, [&] { return numberVertices(budget); },
-        [&] { return runPart(matching_, budget, mesh_, uncut_, out_); },
+        [&] { return twins_.prepare(3 * out_.triangles.size(), budget); },
+        forEach(out_.triangles, budget, 4, [&](int t) { matchTwins(t); }),
+        [&] { out_.twins = twins_.take(); },
         [&] { return runPart(patches_, budget, mesh_, diagram_.siteCount, areas_, out_); });
   }
   double share() const override { return sequence_.progress(); }
@@ -251,6 +253,42 @@ class Partitioner final : public SlicedWork<Partition> {
     }
   }
 
+  /// Between faces that are not cut, twins are those of the mesh. Other sides are matched by their
+  /// ends. Where the mesh was cut, sides of different faces may have the same ends without being
+  /// neighbours.
+  void matchTwins(int t) {
+    const int face = out_.triangleFace[t];
+    for (int i = 0; i < 3; ++i) {
+      const int h = 3 * t + i;
+      if (uncut_[face] >= 0) {
+        const int twin = mesh_.face(face).twins[i];
+        if (twin < 0) continue;
+        if (const int beyond = uncut_[TriangleMesh::faceOf(twin)]; beyond >= 0) {
+          twins_.set(h, 3 * beyond + twin % 3);
+          continue;
+        }
+      }
+      twins_.add(
+          h, [&](int of) { return tailOf(out_.triangles, of); },
+          [&](int other) {
+            return face == out_.triangleFace[other / 3] || !isOnMeshBoundary(h) ||
+                   !isOnMeshBoundary(other);
+          });
+    }
+  }
+
+  bool isOnMeshBoundary(int h) const {
+    const int face = out_.triangleFace[h / 3];
+    for (int i = 0; i < 3; ++i) {
+      if (mesh_.face(face).twins[i] >= 0) continue;
+      bool isOnSide = true;
+      for (const int end : {tailOf(out_.triangles, h), tipOf(out_.triangles, h)})
+        isOnSide &= baryInFace(mesh_, out_.points[end], face)[cornerBefore(i)] == 0;
+      if (isOnSide) return true;
+    }
+    return false;
+  }
+
   const TriangleMesh& mesh_;
   const Diagram& diagram_;
   const PartitionOptions options_;
@@ -264,7 +302,7 @@ class Partitioner final : public SlicedWork<Partition> {
   std::vector<double> areas_;  ///< per triangle
   std::vector<int> number_;    ///< of a vertex in the result, -1 if it is not in use
   size_t used_ = 0;
-  std::optional<TwinMatching> matching_;
+  TwinMatching twins_;
   std::optional<PatchMeasuring> patches_;
 };
 
