@@ -40,7 +40,6 @@ struct BisectorGraph {
 
   std::vector<Point> points;
   std::vector<SurfacePoint> places;  ///< per point
-  std::vector<int> innerPoints;      ///< points of three regions, ascending
   PointMerging merging;
   std::vector<int> mergedFaces;  ///< faces with merged points, with repetitions
 
@@ -59,6 +58,8 @@ struct BisectorGraph {
   int tail(int dart) const { return segments[dart / 2].points[dart % 2]; }
   int tip(int dart) const { return segments[dart / 2].points[1 - dart % 2]; }
   bool isNode(int point) const { return points[point].labels[0] < 0; }
+  /// Whether three regions meet at a point.
+  bool isInner(int point) const { return points[point].labels[2] >= 0; }
   int& dartAt(int point, int label) {
     Point& p = points[point];
     return p.darts[p.labels[0] == label ? 0 : p.labels[1] == label ? 1 : 2];

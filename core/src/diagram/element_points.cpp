@@ -110,7 +110,6 @@ int ElementPoints::make(int element, const FaceEnvelope& envelope, const Vertex&
                         const Eigen::Vector3d& bary) {
   if (v.kind == Vertex::kCorner) return atNode(element, complex_.nodesOf(element)[v.place], bary);
   if (v.kind == Vertex::kOnSide) return makeOnSide(element, envelope, v, bary);
-  graph_.innerPoints.push_back(static_cast<int>(graph_.points.size()));
   return graph_.addPoint(complex_.face(element), bary, insideError(envelope, v),
                          envelope.label(v.functions[0]), envelope.label(v.functions[1]),
                          envelope.label(v.functions[2]));

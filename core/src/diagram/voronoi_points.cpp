@@ -10,19 +10,21 @@
 namespace gvd {
 
 bool VoronoiPoints::step(long& budget) {
-  constexpr long kPointsPerUnit = 4;
+  constexpr long kPointsPerUnit = 8;
   const int merged = graph_.merging.limit();
   return sequence_.run(
-      [&] { out_.voronoiPoints.reserve(graph_.innerPoints.size()); },
       forEach(merged == 0 ? 0 : outlines_.size(), budget, 1, [&](int o) { collectSectors(o); }),
       [&] {
         return byPoint_.run(
             static_cast<int>(sectors_.size()), merged, [&](int s) { return sectors_[s].point; },
             budget);
       },
-      forEach(graph_.innerPoints, budget, kPointsPerUnit,
-              [&](int i) { addInner(graph_.innerPoints[i]); }),
-      [&] { return addLastMerged(budget); });
+      forEach(graph_.points, budget, kPointsPerUnit, [&](int p) {
+        if (graph_.merging.isMerged(p))
+          addMerged(p);
+        else if (graph_.merging.isRoot(p) && graph_.isInner(p))
+          add(p, {graph_.points[p].labels.begin(), graph_.points[p].labels.end()});
+      }));
 }
 
 void VoronoiPoints::collectSectors(int outline) {
@@ -33,24 +35,6 @@ void VoronoiPoints::collectSectors(int outline) {
     sectors_.push_back({points[i], outlines_.label(outline), points[i > 0 ? i - 1 : n - 1],
                         points[i + 1 < n ? i + 1 : 0]});
   }
-}
-
-void VoronoiPoints::addInner(int point) {
-  if (!graph_.merging.isRoot(point) || graph_.merging.isMerged(point)) return;
-  addMergedBefore(point);
-  const auto& labels = graph_.points[point].labels;
-  add(point, {labels.begin(), labels.end()});
-}
-
-void VoronoiPoints::addMergedBefore(int point) {
-  for (const int end = std::min(point, graph_.merging.limit()); nextMerged_ < end; ++nextMerged_)
-    addMerged(nextMerged_);
-}
-
-bool VoronoiPoints::addLastMerged(long& budget) {
-  const int merged = graph_.merging.limit();
-  for (; nextMerged_ < merged && budget > 0; --budget) addMergedBefore(nextMerged_ + 1);
-  return nextMerged_ == merged;
 }
 
 void VoronoiPoints::addMerged(int point) {

@@ -32,10 +32,7 @@ class VoronoiPoints {
   };
 
   void collectSectors(int outline);
-  void addMergedBefore(int point);
-  bool addLastMerged(long& budget);
   void addMerged(int point);
-  void addInner(int point);
   void add(int point, std::vector<int> labels);
   static void orderAround(std::span<Sector> sectors);
   static bool joinRounds(std::span<Sector> chained, std::span<Sector> others);
@@ -47,7 +44,6 @@ class VoronoiPoints {
   SlicedSequence sequence_;
   std::vector<Sector> sectors_;  ///< at merged points
   Grouping byPoint_;             ///< sectors
-  int nextMerged_ = 0;
 };
 
 }  // namespace gvd
