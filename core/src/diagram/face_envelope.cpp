@@ -60,6 +60,7 @@ void FaceEnvelope::setInnerBary(const Vertex& v, Eigen::Vector3d& bary) const {
 /// Whether f is less than the envelope at a vertex. f has a higher label than everything inserted
 /// so far, hence a tie means no.
 bool FaceEnvelope::isBelow(int f, const Vertex& v) const {
+  if (v.kind == Vertex::kGone) return false;
   const auto &a = value(v.functions[0]), &c = value(f);
   if (v.kind == Vertex::kCorner) return c[v.place] < a[v.place];
   const auto& b = value(v.functions[1]);
@@ -156,21 +157,6 @@ int FaceEnvelope::cutVertex(const Cell& cell, const CellSide& from, const CellSi
   return vertex;
 }
 
-/// Sets `below_`; false if f is below the envelope nowhere.
-bool FaceEnvelope::findBelow(int f) {
-  constexpr char kUnknown = 2;
-  below_.assign(vertices_.size(), kUnknown);
-  bool any = false;
-  for (int c = 0; c < cellCount_; ++c)
-    for (const CellSide& side : cells_[c].sides) {
-      if (below_[side.vertex] != kUnknown) continue;
-      const bool isBelowHere = isBelow(f, vertices_[side.vertex]);
-      below_[side.vertex] = static_cast<char>(isBelowHere);
-      any |= isBelowHere;
-    }
-  return any;
-}
-
 /// Cuts f's cell from another one: a convex cell gives up one run of its vertices, and the cut
 /// closes both parts. False if nothing is left of the other cell.
 bool FaceEnvelope::cutCell(Cell& cell, int f) {
@@ -205,8 +191,9 @@ bool FaceEnvelope::cutCell(Cell& cell, int f) {
 
 /// Adds one function, whose cell is cut from the others.
 void FaceEnvelope::insert(int f) {
-  const int vertexCount = static_cast<int>(vertices_.size());
-  if (!findBelow(f)) return;
+  below_.clear();
+  for (const Vertex& v : vertices_) below_.push_back(static_cast<char>(isBelow(f, v)));
+  if (std::find(below_.begin(), below_.end(), true) == below_.end()) return;
 
   links_.clear();
   cuts_.clear();
@@ -216,6 +203,11 @@ void FaceEnvelope::insert(int f) {
     if (remaining != c) std::swap(cells_[remaining], cells_[c]);
     ++remaining;
   }
+  for (size_t v = 0; v < below_.size(); ++v)
+    if (below_[v]) {
+      vertices_[v].functions[0] = f;
+      if (vertices_[v].kind != Vertex::kCorner) vertices_[v].kind = Vertex::kGone;
+    }
 
   if (remaining == static_cast<int>(cells_.size())) cells_.emplace_back();
   cellCount_ = remaining + 1;
@@ -226,13 +218,9 @@ void FaceEnvelope::insert(int f) {
   for (size_t i = 0; i < links_.size(); ++i) {
     const auto link =
         std::find_if(links_.begin(), links_.end(), [&](const Link& l) { return l.from == at; });
-    // A vertex on a side of the triangle where two former cells met is gone.
-    const bool isGone = at < vertexCount && vertices_[at].kind == Vertex::kOnSide;
-    if (!isGone) cell.sides.push_back({at, link->across});
+    if (vertices_[at].kind != Vertex::kGone) cell.sides.push_back({at, link->across});
     at = link->to;
   }
-  for (int corner = 0; corner < 3; ++corner)  // the first vertices
-    if (below_[corner] == 1) vertices_[corner].functions[0] = f;
 }
 
 }  // namespace gvd

@@ -38,7 +38,8 @@ class FaceEnvelope {
   static constexpr int triangleSide(int across) { return -1 - across; }
 
   struct Vertex {
-    enum Kind { kCorner, kOnSide, kInside } kind;
+    /// `kGone`: within a cell that was cut later, so no cell has it any more.
+    enum Kind { kCorner, kOnSide, kInside, kGone } kind;
     int place;                     ///< the corner, or the side
     std::array<int, 3> functions;  ///< kOnSide: before and after, going along the side; kInside:
                                    ///< counterclockwise; -1 where there is none
@@ -79,7 +80,6 @@ class FaceEnvelope {
   bool cutTriangle(int f);
   bool isBelowCut(int f) const;
   void buildCut();
-  bool findBelow(int f);
   void insert(int f);
   bool cutCell(Cell& cell, int f);
   int cutVertex(const Cell& cell, const CellSide& from, const CellSide& to, bool toIsBelow, int f);
