@@ -21,11 +21,6 @@ int Elements::meshHalfedge(int h) const {
   return -1;
 }
 
-int Elements::boundaryHalfedge(const TriangleMesh& mesh, int h) const {
-  const int side = meshHalfedge(h);
-  return side >= 0 && mesh.twin(side) < 0 ? side : -1;
-}
-
 std::array<double, 3> Elements::sideLengths(const TriangleMesh& mesh, int element) const {
   const auto sides = squaredSides(mesh, face[element]);
   const Eigen::Matrix3d here = cornersIn(element);

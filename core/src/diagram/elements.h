@@ -29,8 +29,6 @@ struct Elements {
   }
   /// The halfedge of the mesh that a halfedge is part of, -1 if it is inside a face.
   int meshHalfedge(int h) const;
-  /// The same if that halfedge is on the mesh boundary, else -1.
-  int boundaryHalfedge(const TriangleMesh& mesh, int h) const;
   /// The lengths of an element's sides, in the order of its halfedges.
   std::array<double, 3> sideLengths(const TriangleMesh& mesh, int element) const;
   void reserve(std::size_t count);

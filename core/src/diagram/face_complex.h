@@ -35,8 +35,8 @@ class FaceComplex {
   int twin(int h) const { return hasOwnElements_ ? twins_[h] : mesh_.twin(h); }
   /// The mesh's boundary halfedge that a halfedge is part of, -1 if none.
   int boundaryHalfedge(int h) const {
-    if (hasOwnElements_) return elements_.boundaryHalfedge(mesh_, h);
-    return mesh_.twin(h) < 0 ? h : -1;
+    const int side = hasOwnElements_ ? elements_.meshHalfedge(h) : h;
+    return side >= 0 && mesh_.twin(side) < 0 ? side : -1;
   }
   /// The number of faces of the complex, and the index of a face among them, -1 if it is not in.
   int faceCount() const { return isPart() ? partSize_ : mesh_.faceCount(); }

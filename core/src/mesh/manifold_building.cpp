@@ -40,32 +40,27 @@ void HalfedgeMatching::match(std::span<const int> halfedges) {
 
 bool TriangleOrienting::step(long& budget) {
   const std::size_t count = faces_.size();
-  return sequence_.run(
-      [&] { return fillInSlices(out_.flipped, count, '\0', budget); },
-      forEach(orientation_ == Orientation::kUnify ? 0 : 3 * count, budget, kQuickRounds,
-              [&](int h) { cutIfInconsistent(h); }),
-      [&] { return fillInSlices(out_.component, count, -1, budget); },
-      [&] { queue_.reserve(count); }, forEach(count, budget, 8, [&](int i) { visit(i); }),
-      [&] {
-        endComponent();
-        release(queue_);
-      },
-      forEach(count, budget, kQuickRounds,
-              [&](int t) {
-                if (isComponentTurned_[out_.component[t]]) out_.flipped[t] ^= 1;
-                isAnyFlipped_ |= out_.flipped[t] != 0;
-              }),
-      // Side i of a triangle that is turned over becomes side 2 - i. The sides keep their
-      // neighbours.
-      [&](SlicedLoop& loop) {
-        return !isAnyFlipped_ || loop.run(count, budget, kQuickRounds, [&](int t) { turnOver(t); });
-      },
-      [&](SlicedLoop& loop) {
-        return !isAnyFlipped_ || loop.run(3 * count, budget, kQuickRounds, [&](int h) {
-          int& twin = twinOf(faces_, h);
-          if (twin >= 0 && out_.flipped[twin / 3]) twin += 2 - 2 * (twin % 3);
-        });
-      });
+  return sequence_.run([&] { return fillInSlices(out_.flipped, count, '\0', budget); },
+                       forEach(orientation_ == Orientation::kUnify ? 0 : 3 * count, budget,
+                               kQuickRounds, [&](int h) { cutIfInconsistent(h); }),
+                       [&] { return fillInSlices(out_.component, count, -1, budget); },
+                       [&] { queue_.reserve(count); },
+                       forEach(count, budget, 8, [&](int i) { visit(i); }),
+                       [&] {
+                         endComponent();
+                         release(queue_);
+                       },
+                       forEach(count, budget, kQuickRounds,
+                               [&](int t) {
+                                 if (isComponentTurned_[out_.component[t]]) out_.flipped[t] ^= 1;
+                                 if (out_.flipped[t]) turnOver(t);
+                               }),
+                       // Side i of a triangle that is turned over becomes side 2 - i. The sides
+                       // keep their neighbours.
+                       forEach(3 * count, budget, kQuickRounds, [&](int h) {
+                         int& twin = twinOf(faces_, h);
+                         if (twin >= 0 && out_.flipped[twin / 3]) twin += 2 - 2 * (twin % 3);
+                       }));
 }
 
 /// Whether both triangles of an edge run along it in the same direction.
@@ -116,7 +111,6 @@ void TriangleOrienting::endComponent() {
 }
 
 void TriangleOrienting::turnOver(int t) {
-  if (!out_.flipped[t]) return;
   TriangleMesh::Face& face = faces_[t];
   std::swap(face.vertices[1], face.vertices[2]);
   std::swap(face.twins[0], face.twins[2]);

@@ -73,7 +73,6 @@ class TriangleOrienting {
   int nextRoot_ = 0;
   int flips_ = 0;                        ///< triangles marked in the current component
   std::vector<char> isComponentTurned_;  ///< per component: most triangles were marked
-  bool isAnyFlipped_ = false;
   OrientedComponents out_;
 };
 
