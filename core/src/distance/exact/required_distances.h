@@ -11,6 +11,7 @@
 #include "base/lanes.h"
 #include "base/tolerances.h"
 #include "gvd/geodesic.h"
+#include "gvd/triangle_mesh.h"
 
 namespace gvd::exact {
 
@@ -38,7 +39,10 @@ class RequiredDistances {
     float excess;  ///< the least one over the distance of the nearest label
   };
 
-  explicit RequiredDistances(double boundingDiagonal) : scale_(1 / boundingDiagonal) { clear(); }
+  explicit RequiredDistances(const TriangleMesh& mesh)
+      : mesh_(mesh), scale_(1 / mesh.boundingDiagonal()) {
+    clear();
+  }
 
   void clear() {
     clearPlaces();
@@ -52,18 +56,22 @@ class RequiredDistances {
   /// Whether distances of the label were required before.
   bool hasRecent() const { return recentCount_ > 0; }
 
+  /// The position of a vertex relative to vertex 0: positions of a mesh far from the origin would
+  /// round too coarsely.
+  Eigen::Vector3d placeOf(int vertex) const { return mesh_.position(vertex) - mesh_.position(0); }
+
   /// How many quick rounds `canGain` takes.
   std::size_t cost() const { return 1 + blocks_.size() / kLanes; }
 
   /// `distance` is the least of the label known so far, `nearest` that of the nearest label.
   /// Returns the index of the place, the next one after `kNone`.
-  int add(const Eigen::Vector3d& position, double distance, double nearest) {
+  int add(const Eigen::Vector3d& place, double distance, double nearest) {
     const int index = static_cast<int>(distances_.size()), lane = index % kLanes;
     if (lane == 0) blocks_.emplace_back();
     Block& block = blocks_.back();
-    block.x[lane] = static_cast<float>(scale_ * position.x());
-    block.y[lane] = static_cast<float>(scale_ * position.y());
-    block.z[lane] = static_cast<float>(scale_ * position.z());
+    block.x[lane] = static_cast<float>(scale_ * place.x());
+    block.y[lane] = static_cast<float>(scale_ * place.y());
+    block.z[lane] = static_cast<float>(scale_ * place.z());
     distances_.push_back({distance, nearest});
     limit(index);
     return index;
@@ -172,6 +180,7 @@ class RequiredDistances {
     double own = 0, nearest = 0;
   };
 
+  const TriangleMesh& mesh_;
   const double scale_;
   // Both by index; the first place is that of `kNone`.
   std::vector<Block> blocks_;

@@ -52,7 +52,7 @@ long WindowSweep::crossFace(int h) {
   offerToApex(h, windows);
   if (to_ == SpreadTo::kSites) offerSites(h, windows);
   if (!points_.isEmpty() && to_ != SpreadTo::kRequired)
-    for (const Window& w : windows) offerToPoints(w, h);
+    for (const Window& w : windows) points_.offer(w, h);
   const End tail = endAt(face.vertices[i]), tip = endAt(face.vertices[j]),
             apex = endAt(face.vertices[k]);
   if (left >= 0) crossSide<Side::kLeft>(h, windows, portal(left, face.lengths[k], tail, apex));

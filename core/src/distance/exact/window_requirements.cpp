@@ -9,7 +9,6 @@
 #include "base/prefetch.h"
 #include "distance/exact/window_sweep.h"
 #include "mesh/face_layout.h"
-#include "mesh/representations.h"
 
 namespace gvd::exact {
 namespace {
@@ -63,7 +62,8 @@ void WindowSweep::requireCorners(int f, double atMost) {
   for (const int v : mesh_.face(f).vertices) {
     Vertex& own = vertices_.reach(v);
     if (own.isFinal | own.isRequired()) continue;
-    own.required = required_.add(placeOf(v), std::min(own.distance, atMost), bounds_[v].distance);
+    own.required =
+        required_.add(required_.placeOf(v), std::min(own.distance, atMost), bounds_[v].distance);
   }
 }
 
@@ -130,7 +130,7 @@ void WindowSweep::offerToCorners(const Window& w, int h) {
 
 void WindowSweep::start(int label, LabelState& state, std::span<const RequiredPoint> points) {
   begin(label, SpreadTo::kOwned, state);
-  addPoints(points);
+  points_.set(points, vertices_);
   startAt(sites_[label]);
 }
 
@@ -139,48 +139,9 @@ void WindowSweep::require(int label, LabelState& state, std::span<const Required
   // No window has been compared with these places.
   required_.clear();
   state.waiting.asleep = 0;
-  addPoints(points);
-  for (const WaitingWindow& w : state.waiting.windows) offerToPoints(w.window, w.halfedge);
+  points_.set(points, vertices_);
+  for (const WaitingWindow& w : state.waiting.windows) points_.offer(w.window, w.halfedge);
   continueNeeded();
-}
-
-void WindowSweep::addPoints(std::span<const RequiredPoint> points) {
-  points_.clear();
-  for (const RequiredPoint& required : points) {
-    const SurfacePoint& p = required.point;
-    Eigen::Vector3d place = Eigen::Vector3d::Zero();
-    for (int i = 0; i < 3; ++i) place += p.bary[i] * placeOf(mesh_.tail(3 * p.face + i));
-    const int index = required_.add(place, required.distance, required.nearest);
-    addPoint(p, index);
-    if (const int side = incidenceOf(p.bary).side; side >= 0 && mesh_.face(p.face).twins[side] >= 0)
-      addPoint(acrossEdge(mesh_, p, 3 * p.face + side), index);
-  }
-  points_.sort();
-}
-
-/// Adds a required point in a face, and offers it the paths that are straight from a corner.
-void WindowSweep::addPoint(const SurfacePoint& p, int index) {
-  points_.add(p, index);
-  const TriangleMesh::Face& face = mesh_.face(p.face);
-  for (int i = 0; i < 3; ++i)
-    required_.lower(index,
-                    vertices_.distance(face.vertices[i]) + distanceToCorner(face, p.bary, i));
-}
-
-/// Offers the paths through a window to the required points of its face.
-void WindowSweep::offerToPoints(const Window& w, int h) {
-  for (const auto& p : points_.in(h / 3)) {
-    const Eigen::Vector2d q = layOut(mesh_.face(h / 3), h % 3, p.bary);
-    required_.lower(p.index, w.distance(q.x(), q.y()));
-  }
-}
-
-/// Offers the straight paths from a corner of a face to its required points.
-void WindowSweep::offerToPointsFrom(int corner, int f) {
-  const TriangleMesh::Face& face = mesh_.face(f);
-  for (const auto& p : points_.in(f))
-    required_.lower(p.index, vertices_.distance(face.vertices[corner]) +
-                                 distanceToCorner(face, p.bary, corner));
 }
 
 // --- Which windows go on -------------------------------------------------------------------------
@@ -209,8 +170,8 @@ std::optional<RequiredDistances::Paths> WindowSweep::pathsThrough(int h, const W
   });
   if (excess == kInfinity) return std::nullopt;
   const double middle = (begin + end) / 2, share = middle / length;
-  const Eigen::Vector3d place =
-      (1 - share) * placeOf(face.vertices[i]) + share * placeOf(face.vertices[j]);
+  const Eigen::Vector3d place = (1 - share) * required_.placeOf(face.vertices[i]) +
+                                share * required_.placeOf(face.vertices[j]);
   return required_.paths(place, end - middle, least, excess);
 }
 
@@ -270,7 +231,7 @@ bool WindowSweep::offerAndGoOn(int h) {
   if (hasCorner || hasPoints)
     for (const Window& w : windows) {
       if (hasCorner) offerToCorners(w, h);
-      if (hasPoints) offerToPoints(w, h);
+      if (hasPoints) points_.offer(w, h);
     }
   const auto each = [&](auto visit) { std::for_each(windows.begin(), windows.end(), visit); };
   if (canGain(h, pathsThrough(h, each, required_.mostExcess()))) return true;

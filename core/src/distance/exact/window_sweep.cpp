@@ -42,7 +42,8 @@ WindowSweep::WindowSweep(const TriangleMesh& mesh, const SiteSet& sites, Nearest
       tieMargin_(kDistanceTolerance * kFarthestTie * mesh.boundingDiagonal()),
       fan_(mesh, leastGrazing_),
       revisits_(mesh),
-      required_(mesh.boundingDiagonal()),
+      required_(mesh),
+      points_(mesh, required_),
       search_(bounds.ties(), sites),
       vertices_(mesh),
       queue_(kBucketsPerEdge / mesh.shortEdgeLength()) {}
@@ -258,8 +259,9 @@ bool WindowSweep::maySpreadFrom(int v) {
   const double nearest = bounds_[v].distance;
   if (own.distance <= nearest + tieMargin_) return true;
   if (to_ != SpreadTo::kRequired || own.distance - nearest >= required_.mostExcess()) return false;
-  return required_.canGain(required_.paths(placeOf(v), 0, own.distance, own.distance - nearest),
-                           [&](auto ignore) { ignore(own.required); });
+  return required_.canGain(
+      required_.paths(required_.placeOf(v), 0, own.distance, own.distance - nearest),
+      [&](auto ignore) { ignore(own.required); });
 }
 
 /// Spreads a virtual source into a face around it: offers the corners their distances and starts a
@@ -272,7 +274,7 @@ void WindowSweep::emit(int v, const OppositeSide& side, double direction) {
   const int j = cornerAfter(i), k = cornerBefore(i);
   const TriangleMesh::Face& face = mesh_.face(f);
   const double length = face.lengths[j];
-  if (!points_.isEmpty()) offerToPointsFrom(i, f);
+  if (!points_.isEmpty()) points_.offerFrom(i, f, distance);
   if (side.from <= grazing(length))
     offer(face.vertices[j], distance + face.lengths[i],
           {face.lengths[i] * face.cosines[i], distance,

@@ -10,8 +10,8 @@
 #include "distance/exact/fan_behind.h"
 #include "distance/exact/label_state.h"
 #include "distance/exact/label_vertices.h"
-#include "distance/exact/points_by_face.h"
 #include "distance/exact/required_distances.h"
+#include "distance/exact/required_points.h"
 #include "distance/exact/revisit_filter.h"
 #include "distance/exact/site_search.h"
 #include "distance/exact/window_lists.h"
@@ -21,13 +21,6 @@
 #include "gvd/triangle_mesh.h"
 
 namespace gvd::exact {
-
-/// A point other than a vertex at which the distance of a label is required.
-struct RequiredPoint {
-  SurfacePoint point;
-  double distance;  ///< of the label: an upper bound
-  double nearest;   ///< that of the nearest label
-};
 
 /// Spreads the windows of one label after another. The working memory has room for the whole mesh,
 /// but a label touches only the part that it crosses, which stays in the cache.
@@ -149,14 +142,7 @@ class WindowSweep {
   void add(Window& w, const Portal& portal);
 
   // window_requirements.cpp: required distances, and the windows that go on because of them.
-  /// The position of a vertex relative to vertex 0: positions of a mesh far from the origin would
-  /// round too coarsely.
-  Eigen::Vector3d placeOf(int vertex) const { return mesh_.position(vertex) - mesh_.position(0); }
   void requireCorners(int face, double atMost);
-  void addPoints(std::span<const RequiredPoint> points);
-  void addPoint(const SurfacePoint& point, int index);
-  void offerToPoints(const Window& w, int halfedge);
-  void offerToPointsFrom(int corner, int face);
   bool hasRequiredCorner(int face) const;
   void offerAlongSides(int face);
   void offerToCorners(const Window& w, int halfedge);
@@ -194,7 +180,7 @@ class WindowSweep {
   bool isUnderWay_ = false;  ///< until its state is stored
   LabelState* state_ = nullptr;
   RequiredDistances required_;
-  PointsByFace points_;
+  RequiredPoints points_;
   SiteSearch search_;  ///< if the label is a point that searches
 
   // Working memory.
