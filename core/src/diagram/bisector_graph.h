@@ -51,9 +51,6 @@ struct BisectorGraph {
   PointLists cells;
   std::vector<int> cellFace, cellLabel;
 
-  std::vector<double> regionArea;  ///< these three as in `Diagram`
-  std::vector<int> faceLabel, indifferentFaces;
-
   int labelOf(int dart) const { return segments[dart / 2].labels[dart % 2]; }
   int tail(int dart) const { return segments[dart / 2].points[dart % 2]; }
   int tip(int dart) const { return segments[dart / 2].points[1 - dart % 2]; }

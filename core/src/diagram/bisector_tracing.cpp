@@ -14,19 +14,19 @@
 
 namespace gvd {
 
-BisectorTracing::BisectorTracing(const FaceComplex& complex, int siteCount, NodePoints& nodePoints,
-                                 BisectorGraph& graph)
+BisectorTracing::BisectorTracing(const FaceComplex& complex, NodePoints& nodePoints,
+                                 BisectorGraph& graph, Diagram& diagram)
     : mesh_(complex.mesh()),
       complex_(complex),
-      siteCount_(siteCount),
       graph_(graph),
+      out_(diagram),
       functions_(complex),
       points_(complex, nodePoints, graph) {}
 
 bool BisectorTracing::step(long& budget) {
   return sequence_.run(
-      [&] { return fillInSlices(graph_.regionArea, siteCount_, 0.0, budget); },
-      [&] { return fillInSlices(graph_.faceLabel, complex_.faceCount(), Diagram::kMixed, budget); },
+      [&] { return fillInSlices(out_.regionArea, out_.siteCount, 0.0, budget); },
+      [&] { return fillInSlices(out_.faceLabel, complex_.faceCount(), Diagram::kMixed, budget); },
       [&] { return points_.prepare(budget); }, [&] { reserve(); },
       [&] { return divideAll(budget); });
 }
@@ -35,7 +35,7 @@ bool BisectorTracing::step(long& budget) {
 /// where its bisectors meet, which matters if there are as many sites as elements.
 void BisectorTracing::reserve() {
   const int mixedCount = complex_.mixedCount();
-  const size_t mixed = mixedCount, atSites = 6 * std::min(siteCount_, mixedCount);
+  const size_t mixed = mixedCount, atSites = 6 * std::min(out_.siteCount, mixedCount);
   const size_t points = 5 * mixed / 2 + atSites + complex_.partialCount();
   graph_.points.reserve(points);
   graph_.places.reserve(points);
@@ -75,7 +75,7 @@ long BisectorTracing::divideUndecided(int element) {
   if (owner == Diagram::kMixed) return divide(element);
   assign(element, owner);
   if (owner >= 0 && complex_.isFace(element) && isIndifferent(element, owner))
-    graph_.indifferentFaces.push_back(complex_.face(element));
+    out_.indifferentFaces.push_back(complex_.face(element));
   return 0;
 }
 
@@ -89,15 +89,15 @@ void BisectorTracing::assignUntil(int end) {
   double area = 0;
   for (; next_ < end; ++next_) {
     const int owner = complex_.soleOwner(next_);
-    graph_.faceLabel[next_] = owner;
+    out_.faceLabel[next_] = owner;
     if (owner != last) {
-      if (last >= 0) graph_.regionArea[last] = area;
-      area = graph_.regionArea[owner];
+      if (last >= 0) out_.regionArea[last] = area;
+      area = out_.regionArea[owner];
       last = owner;
     }
     area += mesh_.faceArea(complex_.face(next_));
   }
-  if (last >= 0) graph_.regionArea[last] = area;
+  if (last >= 0) out_.regionArea[last] = area;
 }
 
 /// Assigns all of an element to one label, or to none.
@@ -107,8 +107,8 @@ void BisectorTracing::assign(int element, int owner) {
     return;
   }
   const int face = complex_.face(element);
-  graph_.faceLabel[complex_.faceIndex(face)] = owner;
-  if (owner >= 0) graph_.regionArea[owner] += mesh_.faceArea(face);
+  out_.faceLabel[complex_.faceIndex(face)] = owner;
+  if (owner >= 0) out_.regionArea[owner] += mesh_.faceArea(face);
 }
 
 /// Whether some other label ties with the owner at all three nodes.
@@ -240,8 +240,7 @@ void BisectorTracing::addAreas(double faceArea) {
       if (isNegative(area)) *largest += std::exchange(area, 0.0);
   }
   const auto labels = std::span(graph_.cellLabel).last(cellAreas_.size());
-  for (size_t c = 0; c < labels.size(); ++c)
-    graph_.regionArea[labels[c]] += cellAreas_[c] * faceArea;
+  for (size_t c = 0; c < labels.size(); ++c) out_.regionArea[labels[c]] += cellAreas_[c] * faceArea;
 }
 
 }  // namespace gvd

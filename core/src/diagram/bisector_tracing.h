@@ -11,6 +11,7 @@
 #include "diagram/element_points.h"
 #include "diagram/face_complex.h"
 #include "diagram/face_envelope.h"
+#include "gvd/diagram.h"
 #include "gvd/triangle_mesh.h"
 
 namespace gvd {
@@ -18,8 +19,10 @@ namespace gvd {
 /// Builds the bisector graph from the lower envelope on every mixed element.
 class BisectorTracing {
  public:
-  BisectorTracing(const FaceComplex& complex, int siteCount, NodePoints& nodePoints,
-                  BisectorGraph& graph);
+  /// Sets the areas of regions, the labels of faces and the indifferent faces of `diagram`, whose
+  /// number of sites is set.
+  BisectorTracing(const FaceComplex& complex, NodePoints& nodePoints, BisectorGraph& graph,
+                  Diagram& diagram);
   /// True when the graph is complete.
   bool step(long& budget);
 
@@ -45,8 +48,8 @@ class BisectorTracing {
 
   const TriangleMesh& mesh_;
   const FaceComplex& complex_;
-  const int siteCount_;
   BisectorGraph& graph_;
+  Diagram& out_;
 
   SlicedSequence sequence_;
   size_t nextUndecided_ = 0;

@@ -34,9 +34,10 @@ class Tracing final : public SlicedWork<TracedDiagram> {
         building_(building),
         complex_(building.complex()),
         mesh_(complex_.mesh()),
-        siteCount_(siteCount),
         isTraced_(std::move(isTraced)),
-        nodePoints_(nodePoints) {}
+        nodePoints_(nodePoints) {
+    out_.siteCount = siteCount;
+  }
 
   bool advance(long budget) override {
     return sequence_.run(
@@ -47,9 +48,6 @@ class Tracing final : public SlicedWork<TracedDiagram> {
   double share() const override { return (sequence_.progress() + tracing_.progress()) / 2; }
 
   TracedDiagram result() override {
-    out_.siteCount = siteCount_;
-    out_.regionArea = std::move(graph_.regionArea);
-    out_.indifferentFaces = std::move(graph_.indifferentFaces);
     nodePoints_.clear();
     return {std::move(out_), std::move(graph_.mergedFaces),
             completion_ ? completion_->takeFaces() : std::vector<int>()};
@@ -63,7 +61,7 @@ class Tracing final : public SlicedWork<TracedDiagram> {
 
   bool trace(long& budget) {
     return tracing_.run(
-        [&] { return runPart(bisectors_, budget, complex_, siteCount_, nodePoints_, graph_); },
+        [&] { return runPart(bisectors_, budget, complex_, nodePoints_, graph_, out_); },
         [&] { bisectors_.reset(); },
         [&] {
           return runPart(outlines_, budget, mesh_, distances_, nodePoints_, isTraced_, graph_);
@@ -92,7 +90,6 @@ class Tracing final : public SlicedWork<TracedDiagram> {
   ComplexBuilding& building_;
   FaceComplex& complex_;
   const TriangleMesh& mesh_;
-  const int siteCount_;
   const std::vector<char> isTraced_;
   NodePoints& nodePoints_;
 

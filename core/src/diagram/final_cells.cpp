@@ -8,12 +8,6 @@
 
 namespace gvd {
 
-FinalCells::FinalCells(const FaceComplex& complex, BisectorGraph& graph, FinalPoints& points,
-                       Diagram& diagram)
-    : complex_(complex), graph_(graph), points_(points), out_(diagram) {
-  out_.faceLabel = std::move(graph.faceLabel);
-}
-
 bool FinalCells::step(long& budget) {
   return sequence_.run([&] { return putInOrder(budget); }, [&] { return collect(budget); });
 }

@@ -15,9 +15,10 @@ namespace gvd {
 /// region, with nodes as their only points, becomes a region triangle.
 class FinalCells {
  public:
-  /// Takes the cells out of the graph, and the labels of faces.
+  /// Takes the cells out of the graph.
   FinalCells(const FaceComplex& complex, BisectorGraph& graph, FinalPoints& points,
-             Diagram& diagram);
+             Diagram& diagram)
+      : complex_(complex), graph_(graph), points_(points), out_(diagram) {}
   bool step(long& budget);
 
  private:
