@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -47,17 +46,9 @@ struct Waiting {
   /// Windows of one halfedge often follow one another.
   std::span<WaitingWindow> awake() { return std::span(windows).subspan(asleep); }
   /// Wakes the windows that sleep no longer than until `travel`.
-  void wake(double travel) {
-    while (asleep > 0 && !(windows.front().sleepsUntil > travel))
-      std::pop_heap(windows.begin(), windows.begin() + static_cast<std::ptrdiff_t>(asleep--),
-                    sleepsLonger);
-  }
-  /// Puts all windows to sleep.
-  void sleep() {
-    while (asleep < windows.size())
-      std::push_heap(windows.begin(), windows.begin() + static_cast<std::ptrdiff_t>(++asleep),
-                     sleepsLonger);
-  }
+  void wake(double travel);
+  /// Puts the windows to sleep that sleep longer than until `travel`.
+  void sleep(double travel);
 
   void clear() {
     windows.clear();
@@ -68,11 +59,6 @@ struct Waiting {
     windows.reserve(windows.size() + more.windows.size());
     windows.insert(windows.end(), more.windows.begin(), more.windows.end());
     sources.insert(sources.end(), more.sources.begin(), more.sources.end());
-  }
-
- private:
-  static bool sleepsLonger(const WaitingWindow& a, const WaitingWindow& b) {
-    return a.sleepsUntil > b.sleepsUntil;
   }
 };
 

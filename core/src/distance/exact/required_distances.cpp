@@ -26,7 +26,8 @@ void RequiredDistances::approach() {
       least = std::min(least, recent.leastApproach(block, i % kLanes));
     most = std::max(most, least + kRounding * block.bound[i % kLanes]);
   }
-  travel_ += most + kPlaceRounding;
+  lastApproach_ = most + kPlaceRounding;
+  travel_ += lastApproach_;
 }
 
 float RequiredDistances::sleepsUntil(const Paths& paths) const {

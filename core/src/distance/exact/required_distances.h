@@ -114,10 +114,12 @@ class RequiredDistances {
 
   /// By how much, at most, places have come nearer to any paths in all since `clear`.
   double travel() const { return travel_; }
+  /// By how much `approach` has raised it last.
+  double lastApproach() const { return lastApproach_; }
   /// Adds to `travel` by how much the places are nearer than the recent ones. To be called when
   /// their distances have been lowered as far as is easily known.
   void approach();
-  /// The least `travel` at which paths can gain a place, as far as the places and the recent ones
+  /// The `travel` before which paths cannot gain a place, as far as the places and the recent ones
   /// tell.
   float sleepsUntil(const Paths& paths) const;
 
@@ -188,7 +190,7 @@ class RequiredDistances {
   double mostExcess_ = 0;
   std::array<Block, kRecent / kLanes> recent_;  ///< as they were at the end
   int recentCount_ = 0;                         ///< since `clear`
-  double travel_ = 0;
+  double travel_ = 0, lastApproach_ = 0;
 };
 
 }  // namespace gvd::exact

@@ -13,6 +13,10 @@
 namespace gvd::exact {
 namespace {
 
+/// Windows that would sleep for fewer approaches than this stay awake: to look at them as often
+/// takes less than to sort them in and out.
+constexpr double kLeastApproachesAsleep = 4;
+
 /// How many faces or vertices before its turn one is fetched into the cache.
 constexpr size_t kAhead = 4;
 
@@ -185,7 +189,7 @@ bool WindowSweep::canGain(int h, const std::optional<Paths>& paths) const {
 }
 
 /// Queues the windows that are awake and the waiting sources, if they can shorten a required
-/// distance. The other windows sleep, if distances of the label were required before: then they are
+/// distance. The other windows sleep if distances of the label were required before: then they are
 /// likely to be required again.
 void WindowSweep::continueNeeded() {
   required_.findMostExcess();
@@ -215,7 +219,8 @@ void WindowSweep::continueNeeded() {
   });
   waiting.windows.erase(waiting.windows.end() - (waiting.awake().end() - kept),
                         waiting.windows.end());
-  if (isRepeated) waiting.sleep();
+  if (isRepeated)
+    waiting.sleep(required_.travel() + kLeastApproachesAsleep * required_.lastApproach());
   std::erase_if(waiting.sources, [&](int v) {
     if (!maySpreadFrom(v)) return false;
     queueSource(v);
