@@ -34,6 +34,7 @@ long WindowSweep::require(int label, LabelState& state, std::span<const int> fac
   // known: a label that owns part of a face has its site there, or owns a corner, or is known at
   // both ends of a side.
   if (required_.hasRecent()) {
+    // First distances tell how near the places have come.
     for (const int f : faces) offerAlongSides(f);
     required_.approach();
     state.waiting.wake(required_.travel());
