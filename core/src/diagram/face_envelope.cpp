@@ -203,11 +203,13 @@ void FaceEnvelope::insert(int f) {
     if (remaining != c) std::swap(cells_[remaining], cells_[c]);
     ++remaining;
   }
-  for (size_t v = 0; v < below_.size(); ++v)
-    if (below_[v]) {
+  for (size_t v = 0; v < below_.size(); ++v) {
+    if (!below_[v]) continue;
+    if (vertices_[v].kind == Vertex::kCorner)
       vertices_[v].functions[0] = f;
-      if (vertices_[v].kind != Vertex::kCorner) vertices_[v].kind = Vertex::kGone;
-    }
+    else
+      vertices_[v].kind = Vertex::kGone;
+  }
 
   if (remaining == static_cast<int>(cells_.size())) cells_.emplace_back();
   cellCount_ = remaining + 1;

@@ -109,7 +109,8 @@ bool WindowSweep::step(long& budget) {
 }
 
 /// Begins to spread a label on to required places. If distances of the same label were required at
-/// vertices last, all of it is still in the working memory. Returns how many vertices it has
+/// vertices last, all of it is still in the working memory, and windows may sleep on: had bounds
+/// risen where they wait, the label would have been resumed since. Returns how many vertices it has
 /// loaded.
 size_t WindowSweep::beginToRequire(int label, LabelState& state) {
   const bool isLoaded = to_ == SpreadTo::kRequired && label_ == label && state_ == &state &&

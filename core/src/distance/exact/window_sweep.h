@@ -94,6 +94,7 @@ class WindowSweep {
   };
 
   using Vertex = LabelVertices::Vertex;
+  using Paths = RequiredDistances::Paths;
   /// A vertex as an end of portals: the distance of the current label, and the limit up to which
   /// the label spreads on.
   struct End {
@@ -148,7 +149,6 @@ class WindowSweep {
   void offerToCorners(const Window& w, int halfedge);
   template <class Visit>
   void visitAwake(Visit visit) const;
-  using Paths = RequiredDistances::Paths;
   template <class Windows>
   std::optional<Paths> pathsThrough(int halfedge, const Windows& windows, double mostExcess) const;
   bool canGain(int halfedge, const std::optional<Paths>& paths) const;
