@@ -2,15 +2,14 @@
 #include "distance/label_closure.h"
 
 #include <array>
-#include <utility>
 
+#include "distance/edge_share.h"
 #include "distance/labelled_distances.h"
 
 namespace gvd {
 
 void LabelClosure::beginChange() {
   sequence_ = {};
-  required_.clear();
   found_.clear();
   extended_.clear();
 }
@@ -21,21 +20,16 @@ bool LabelClosure::step(long& budget) {
         return loop.runWeighted(changedFaces_.size(), budget, kQuickRounds,
                                 [&](int i) { return closeFace(changedFaces_.list()[i]); });
       },
-      [&] { beginRound(found_); },
       [&] {
-        for (;;) {
-          if (!turns_.step(budget,
-                           [&](int l, const auto& faces) { return listRequired(l, faces); }))
-            return false;
-          if (required_.empty()) return true;
-          beginRound(std::exchange(required_, {}));
-        }
-      });
-}
-
-void LabelClosure::beginRound(std::span<const Requirement> requirements) {
-  turns_.clear();
-  turns_.addRequired(requirements);
+        turns_.clear();
+        turns_.addRequired(found_);
+      },
+      [&] {
+        return turns_.step(budget,
+                           [&](int l, const auto& faces) { return listRequired(l, faces); });
+      },
+      forEach(extended_.list(), budget, kQuickRounds,
+              [&](int i) { lists_.equalizeTiesAgain(extended_.list()[i]); }));
 }
 
 // --- Listing -------------------------------------------------------------------------------------
@@ -48,28 +42,16 @@ std::vector<int> LabelClosure::listRequired(int label, std::span<const int> face
     for (const int v : mesh_.face(f).vertices)
       if (lists_.distance(v, label) == kInfinity) {
         lists_.add(label, spread_.indexOf(v));
-        added_.push_back({v, label});
+        added_.push_back(v);
+        extended_.add(v);
       }
-  for (size_t i = 0, count = added_.size(); i < count; ++i) noteAdded(added_[i].vertex, label);
   found_.clear();
-  for (const LabelAtVertex& added : added_) closeAround(added);
+  for (const int v : added_) closeAround(v, label);
+  // Also required is a label that was the sole owner of a face: it is known at the corners already.
   std::vector<int> others;
-  for (const Requirement& r : found_) {
-    if (r.label == label)
-      others.push_back(r.face);
-    else
-      required_.push_back(r);
-  }
+  for (const Requirement& r : found_)
+    if (r.label == label) others.push_back(r.face);
   return others;
-}
-
-/// A new label may lower the distances of labels that tie with it (`equalizeTies`); the closure
-/// then has to look at these labels again.
-void LabelClosure::noteAdded(int vertex, int label) {
-  extended_.add(vertex);
-  if (!lists_.hasUnequalTie(vertex, label)) return;
-  lists_.equalizeTiesAgain(vertex);
-  for (const LabelledDistance& d : lists_[vertex]) added_.push_back({vertex, d.label});
 }
 
 // --- What is required ----------------------------------------------------------------------------
@@ -83,39 +65,40 @@ long LabelClosure::closeFace(int f) {
     const int known = (at[0] != nullptr) + (at[1] != nullptr) + (at[2] != nullptr);
     if (known != 2) return;
     const int i = at[2] ? at[1] ? 1 : 2 : 0;
-    requireAcross(3 * f + i, {label, at[i]->distance, at[cornerAfter(i)]->distance});
+    requireAcross(3 * f + i, label);
   });
   return static_cast<long>(a.size() + b.size() + c.size());
 }
 
 /// The same for one label, newly known at a vertex, in all faces around the vertex.
-void LabelClosure::closeAround(const LabelAtVertex& added) {
-  const auto& [vertex, label] = added;
+void LabelClosure::closeAround(int vertex, int label) {
+  const auto isKnown = [&](int v) { return lists_.distance(v, label) < kInfinity; };
   const std::span<const int> fan = mesh_.fan(vertex);
-  const double here = lists_.distance(vertex, label);
-  double after = lists_.distance(mesh_.tip(fan.front()), label);
+  bool isKnownAfter = isKnown(mesh_.tip(fan.front()));
   for (const int h : fan) {
     const int last = TriangleMesh::previous(h);
-    const double before = lists_.distance(mesh_.tail(last), label);
-    if (after < kInfinity && before == kInfinity) requireAcross(h, {label, here, after});
-    if (after == kInfinity && before < kInfinity) requireAcross(last, {label, before, here});
-    after = before;
+    const bool isKnownBefore = isKnown(mesh_.tail(last));
+    if (isKnownAfter && !isKnownBefore) requireAcross(h, label);
+    if (isKnownBefore && !isKnownAfter) requireAcross(last, label);
+    isKnownAfter = isKnownBefore;
   }
 }
 
 /// Requires a label known at both ends of a halfedge at its apex if the label owns part of the
 /// edge.
-void LabelClosure::requireAcross(int h, const EdgeShare& share) {
-  if (ownsPartOfEdge(share, h)) owners_.add(TriangleMesh::faceOf(h), share.label(), true, found_);
+void LabelClosure::requireAcross(int h, int label) {
+  if (ownsPartOfEdge(label, h)) owners_.add(TriangleMesh::faceOf(h), label, true, found_);
 }
 
-/// Whether a label is nearest anywhere on an edge by interpolation. Competes only with owners that
-/// were not themselves found by interpolation, so that the order of discovery does not matter.
-bool LabelClosure::ownsPartOfEdge(EdgeShare share, int h) const {
+/// Whether a label may be nearest anywhere on an edge by interpolation. Competes only with owners
+/// that were not themselves found by interpolation, so that the order of discovery does not matter.
+bool LabelClosure::ownsPartOfEdge(int label, int h) const {
   const int tail = mesh_.tail(h), tip = mesh_.tip(h);
+  EdgeShare share(label, lists_.leastDistance(tail, label), lists_.leastDistance(tip, label));
   const auto keepsPartBeside = [&](int other) {
-    if (other == share.label()) return true;
-    const double atTail = lists_.distance(tail, other), atTip = lists_.distance(tip, other);
+    if (other == label) return true;
+    const double atTail = lists_.foundDistance(tail, other);
+    const double atTip = lists_.foundDistance(tip, other);
     if (atTail < kInfinity && atTip < kInfinity) share.yieldTo(other, atTail, atTip);
     return !share.isEmpty();
   };

@@ -6,7 +6,6 @@
 
 #include "base/index_set.h"
 #include "base/sliced_loop.h"
-#include "distance/edge_share.h"
 #include "distance/face_owners.h"
 #include "distance/label_lists.h"
 #include "distance/label_turns.h"
@@ -20,8 +19,10 @@ namespace gvd {
 /// A diagram interpolates squared distances linearly within a face. If a label owns part of an edge
 /// by interpolation, it has to be known at all corners of the faces on both sides. A label added at
 /// one vertex may be required at others, so each label goes on until no more is required of it.
-/// Another label has to be looked at again only where the new one lowers its listed distance
-/// because the two tie.
+///
+/// What is compared are distances as labels have found them, that of the label in question lowered
+/// by as much as a tie may lower it (`equalizeTies`). What ties do lower depends on which labels
+/// are known at a vertex, and so on the order in which they were added.
 ///
 /// `LabelCompletion` applies the same rule to the elements of a refined diagram. No label can
 /// spread to their corners, so it unfolds the missing distance from the two known ones.
@@ -47,13 +48,11 @@ class LabelClosure {
   const std::vector<int>& extended() const { return extended_.list(); }
 
  private:
-  void beginRound(std::span<const Requirement> requirements);
   long closeFace(int face);
-  void closeAround(const LabelAtVertex& added);
-  void requireAcross(int halfedge, const EdgeShare& share);
-  bool ownsPartOfEdge(EdgeShare share, int halfedge) const;
+  void closeAround(int vertex, int label);
+  void requireAcross(int halfedge, int label);
+  bool ownsPartOfEdge(int label, int halfedge) const;
   std::vector<int> listRequired(int label, std::span<const int> faces);
-  void noteAdded(int vertex, int label);
 
   const TriangleMesh& mesh_;
   FaceOwners& owners_;
@@ -64,9 +63,8 @@ class LabelClosure {
 
   // The current change.
   SlicedSequence sequence_;
-  std::vector<Requirement> required_;  ///< of the next round
-  std::vector<Requirement> found_;     ///< by the last look at faces
-  std::vector<LabelAtVertex> added_;   ///< to the lists, by the current label
+  std::vector<Requirement> found_;  ///< by the last look at faces
+  std::vector<int> added_;          ///< the vertices where the current label was listed last
   IndexSet extended_;
 };
 

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <vector>
 
+#include "base/sliced_loop.h"
 #include "base/small_lists.h"
 #include "distance/label_spread.h"
 #include "distance/labelled_distances.h"
@@ -28,7 +30,8 @@ class LabelLists {
       : spread_(spread), bounds_(bounds) {}
   /// Makes room for the lists of so many vertices, in slices; true when it is there.
   bool prepare(int vertexCount, long& budget) {
-    return distances_.addLists(vertexCount, budget) && indices_.addLists(vertexCount, budget);
+    return distances_.addLists(vertexCount, budget) && indices_.addLists(vertexCount, budget) &&
+           fillInSlices(isEqualized_, vertexCount, char{false}, budget);
   }
 
   std::span<const LabelledDistance> operator[](int vertex) const { return distances_[vertex]; }
@@ -39,6 +42,17 @@ class LabelLists {
     const auto known = distances_[vertex];
     const LabelledDistance* const found = findLabel(known, label);
     return found ? indices_[vertex][found - known.data()] : -1;
+  }
+  /// The distance of a label before `equalizeTies`: it does not depend on the other labels.
+  /// Infinity if the label is not known.
+  double foundDistance(int vertex, int label) const {
+    if (!isEqualized_[vertex]) return distance(vertex, label);
+    const int index = reachedIndex(vertex, label);
+    return index < 0 ? kInfinity : listed(spread_.reached(label)[index]);
+  }
+  /// The least distance that a label may have in the list, whatever others are known.
+  double leastDistance(int vertex, int label) const {
+    return bounds_.ties().leastTying(foundDistance(vertex, label));
   }
   /// Those of all labels in the list.
   std::span<const int> reachedIndices(int vertex) const { return indices_[vertex]; }
@@ -52,10 +66,12 @@ class LabelLists {
   void allot(int vertex, int count) {
     distances_.allot(vertex, count);
     indices_.allot(vertex, count);
+    isEqualized_[vertex] = false;
   }
   void clear(int vertex) {
     distances_.clear(vertex);
     indices_.clear(vertex);
+    isEqualized_[vertex] = false;
   }
   /// Adds a label at the vertex `reached(label)[reachedIndex]`, where it is not known yet.
   void add(int label, int reachedIndex) {
@@ -66,23 +82,16 @@ class LabelLists {
     distances_.insert(reached.vertex, index, {label, listed(reached)});
     indices_.insert(reached.vertex, index, reachedIndex);
   }
-  void equalizeTies(int vertex) { gvd::equalizeTies(distances_[vertex], bounds_.ties()); }
-  /// The same once labels were added since, from the distances that the labels have found: listed
-  /// ones may have been lowered, and the result must not depend on the order of labels.
+  void equalizeTies(int vertex) {
+    isEqualized_[vertex] = gvd::equalizeTies(distances_[vertex], bounds_.ties());
+  }
+  /// The same once labels were added since.
   void equalizeTiesAgain(int vertex) {
     for (size_t i = 0; i < distances_[vertex].size(); ++i) {
       LabelledDistance& d = distances_[vertex][i];
       d.distance = listed(spread_.reached(d.label)[indices_[vertex][i]]);
     }
     equalizeTies(vertex);
-  }
-  /// Whether `equalizeTies` would change the distance of a known label, or of another to its own.
-  bool hasUnequalTie(int vertex, int label) const {
-    const double own = distance(vertex, label);
-    const auto known = distances_[vertex];
-    return std::any_of(known.begin(), known.end(), [&](const LabelledDistance& d) {
-      return bounds_.ties().tieUnequally(d.distance, own);
-    });
   }
 
  private:
@@ -96,6 +105,7 @@ class LabelLists {
   const NearestBounds& bounds_;
   SmallLists<LabelledDistance> distances_;
   SmallLists<int> indices_;
+  std::vector<char> isEqualized_;  ///< per vertex: whether `equalizeTies` has changed distances
 };
 
 }  // namespace gvd

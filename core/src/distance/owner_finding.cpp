@@ -67,8 +67,7 @@ bool OwnerFinding::affectAll(long& budget) {
 ///
 /// Drops the owners found by interpolation in all faces around changed vertices: they depend on the
 /// distances at the corners of their faces. A label that was dropped from a face may not be known
-/// at the corners of that face any more, so these corners count as changed, too, and so on. The
-/// same goes for labels listed there with the distance of the dropped one (`equalizeTies`).
+/// at the corners of that face any more, so these corners count as changed, too, and so on.
 bool OwnerFinding::findAffected(long& budget) {
   const auto forAll = [&](const std::vector<int>& list, auto body) {
     return forEach(list, budget, 8, [&list, body](int i) { body(list[i]); });
@@ -109,9 +108,6 @@ void OwnerFinding::dropDoubtful() {
   for (size_t i = 0; i < doubtful_.size(); ++i) {
     const auto [vertex, label] = doubtful_[i];
     changedVertices_.add(vertex);
-    const double distance = lists_.distance(vertex, label);
-    for (const LabelledDistance& d : lists_[vertex])
-      if (d.distance == distance) doubt(vertex, d.label);
     mesh_.visitFaces(vertex, [&, label = label](int f) {
       if (affectedFaces_.contains(f) || !owners_.removeInterpolated(f, label)) return;
       for (int h = 3 * f; h < 3 * f + 3; ++h) doubt(mesh_.tail(h), label);

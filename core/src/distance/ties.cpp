@@ -2,6 +2,7 @@
 #include "distance/ties.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/sorting.h"
 #include "mesh/surface_geometry.h"
@@ -26,21 +27,23 @@ bool haveUnequalTies(std::span<const LabelledDistance> here, const TieTolerance&
 TieTolerance::TieTolerance(const TriangleMesh& mesh)
     : absolute_(kUnfoldingTolerance * longestEdge(mesh)) {}
 
-void equalizeTies(std::span<LabelledDistance> here, const TieTolerance& ties) {
+bool equalizeTies(std::span<LabelledDistance> here, const TieTolerance& ties) {
   constexpr size_t kFew = 32;  // up to here, comparing all pairs is quicker than sorting
-  if (here.size() <= kFew && !haveUnequalTies(here, ties)) return;
+  if (here.size() <= kFew && !haveUnequalTies(here, ties)) return false;
   sortStably(here, [](const LabelledDistance& a, const LabelledDistance& b) {
     return a.distance < b.distance;
   });
+  bool hasChanged = false;
   double least = here.front().distance;
   for (LabelledDistance& d : here) {
     if (ties.isAtMost(d.distance, least))
-      d.distance = least;
+      hasChanged |= std::exchange(d.distance, least) != least;
     else
       least = d.distance;
   }
   sortStably(
       here, [](const LabelledDistance& a, const LabelledDistance& b) { return a.label < b.label; });
+  return hasChanged;
 }
 
 }  // namespace gvd

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include "base/tolerances.h"
@@ -21,6 +22,10 @@ class TieTolerance {
   double mostTying(double distance) const {
     return distance * (1 + kDistanceTolerance) + absolute_;
   }
+  /// The least distance that `equalizeTies` may set one to.
+  double leastTying(double distance) const {
+    return std::max(0.0, (distance - absolute_) / (1 + kDistanceTolerance));
+  }
   /// Whether two distances are equal up to rounding, but not exactly.
   bool tieUnequally(double a, double b) const { return a != b && isAtMost(a, b) && isAtMost(b, a); }
 
@@ -30,6 +35,7 @@ class TieTolerance {
 
 /// Sets distances at one place that are equal up to rounding to the least of them. All distances
 /// that a diagram is traced from pass through here, so that later comparisons can be exact.
-void equalizeTies(std::span<LabelledDistance> here, const TieTolerance& ties);
+/// Returns whether there were any that were not equal exactly.
+bool equalizeTies(std::span<LabelledDistance> here, const TieTolerance& ties);
 
 }  // namespace gvd
