@@ -28,13 +28,27 @@ function page(body, head = standalone) {
   };
 }
 
+/** A page that has every script of the package by itself. */
+function byImportMap(body) {
+  const hash = createHash('sha256').update(importMap).digest('base64');
+  return {
+    ...page(
+      body,
+      `<script type="importmap">${importMap}</script>
+       <script type="module" src="/package/viewer/element.js"></script>`,
+    ),
+    policy:
+      `default-src 'self'; script-src 'self' 'wasm-unsafe-eval' 'sha256-${hash}'; ` +
+      "worker-src 'self'",
+  };
+}
+
 const longText = '<p>A paragraph</p>'.repeat(100);
 const twenty = Array.from(
   { length: 20 },
   (_, i) => `<p>Paragraph ${i}</p>
     <geodesic-voronoi loading="lazy" ${model} seed="${i + 1}"></geodesic-voronoi>`,
 ).join('\n');
-const hash = createHash('sha256').update(importMap).digest('base64');
 
 const browser = await browserForTests({
   '/icon.svg': { html: '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9" />' },
@@ -73,16 +87,8 @@ const browser = await browserForTests({
   '/empty.html': page(''),
   '/pentagon.obj': { html: 'v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 2 0\nv 0 1 0\nf 1 2 3 4 5\n' },
   '/article.html': page(`<geodesic-voronoi ${model}></geodesic-voronoi>${longText}`),
-  '/import-map.html': {
-    ...page(
-      `<geodesic-voronoi ${model}></geodesic-voronoi>`,
-      `<script type="importmap">${importMap}</script>
-       <script type="module" src="/package/viewer/element.js"></script>`,
-    ),
-    policy:
-      `default-src 'self'; script-src 'self' 'wasm-unsafe-eval' 'sha256-${hash}'; ` +
-      "worker-src 'self'",
-  },
+  '/import-map.html': byImportMap(`<geodesic-voronoi ${model}></geodesic-voronoi>`),
+  '/unplaced.html': byImportMap(`<geodesic-voronoi ${model} sampling="none"></geodesic-voronoi>`),
 });
 
 /** A page without an element, to which the script has come. */
@@ -597,6 +603,17 @@ suite('attributes and events', () => {
     );
     assert.equal(sampled.type, 'computefailure');
     assert.match(sampled.message, /^The sites cannot be placed: .*[^.]\.$/);
+  });
+
+  test('a model that is given up is not made ready on the page in place of the worker', async () => {
+    const { page } = await browser.visit({ path: 'unplaced.html' });
+    await page.waitForFunction(() => document.querySelector('[status="failed"]'));
+    const fetched = await page.evaluate(async () => {
+      await fetch('/icon.svg'); // what was asked for before is there, too
+      const names = performance.getEntriesByType('resource').map(({ name }) => name);
+      return names.filter((name) => name.endsWith('/scene_arrays.js')).length;
+    });
+    assert.equal(fetched, 1, 'only the worker needs that script');
   });
 
   test('a site that is nowhere is refused, and the diagram is there as before', async () => {

@@ -66,6 +66,7 @@ export async function openMesh(
 ): Promise<OpenedMesh> {
   // The builder's worker starts while the files are read.
   const builder = new DrawingBuilder();
+  const failing = new AbortController();
   let mesh: Mesh | undefined;
   try {
     const between = (from: number, to: number) => (share: number) =>
@@ -77,7 +78,7 @@ export async function openMesh(
       throw sentence(`${files.name} cannot be opened`, error);
     });
     const placing = { signal, onProgress: between(meshShare, 1) };
-    const drawn = sceneOf(mesh, builder, signal);
+    const drawn = sceneOf(mesh, builder, failing.signal);
     const [edited, scene] = await Promise.all([
       firstState(mesh, { siteSampling, kept }, drawn, placing),
       drawn,
@@ -86,6 +87,7 @@ export async function openMesh(
     const name = lastSegment(mesh.info.origin.file);
     return { mesh, name, files, ...edited, scene, builder };
   } catch (error) {
+    failing.abort(); // before the builder gives up the scene, which would then be made here
     mesh?.dispose();
     builder.dispose();
     throw error;
