@@ -89,8 +89,9 @@ export class Viewer implements Workpiece {
     };
     this.hint = host.hint;
     this.tools = new SurfaceTools(this);
-    this.#gestures = new PointerGestures(canvas, this.tools);
-    this.scrolling = new PageScrolling(canvas, () => this.attributes.touchAction, this.hint);
+    this.#gestures = new PointerGestures(canvas, this.tools, signal);
+    const touchAction = () => this.attributes.touchAction;
+    this.scrolling = new PageScrolling(canvas, touchAction, this.hint, signal);
     this.stage = new Stage(canvas, renderer, () => {
       this.tools.follow();
       this.#emit('camera-change', { orbit: formatCameraOrbit(this.stage.camera.orbit) });
@@ -276,10 +277,8 @@ export class Viewer implements Workpiece {
   }
 
   dispose(): void {
-    this.legend.dispose();
     cancelAnimationFrame(this.#gliding);
-    this.scrolling.dispose();
-    this.#gestures.dispose();
+    this.#gestures.cancel();
     this.session.dispose();
     this.#derived.dispose();
     this.#model?.dispose();

@@ -44,11 +44,6 @@ export class Legend {
     shadow.append(this.#distances, this.#density);
   }
 
-  dispose(): void {
-    this.#distances.remove();
-    this.#density.remove();
-  }
-
   /** Takes a scale in the model's units; undefined if no distances are shown. */
   showDistances(scale: DistanceScale | undefined): void {
     this.#distances.hidden = scale === undefined;

@@ -15,17 +15,17 @@ const aloneShare = 0.95;
 export class PageScrolling {
   readonly #canvas: HTMLCanvasElement;
   readonly #touchAction: () => string | undefined;
-  readonly #listening = new AbortController();
 
   /**
-   * Must be made before the camera's controls. `touchAction` returns the choice of the page's
-   * author, if any; `hint` gets a sentence on how to reach the camera when the page has scrolled
-   * instead.
+   * Must be made before the camera's controls; ends with the signal. `touchAction` returns the choice of
+   * the page's author, if any; `hint` gets a sentence on how to reach the camera when the page has
+   * scrolled instead.
    */
   constructor(
     canvas: HTMLCanvasElement,
     touchAction: () => string | undefined,
     hint: (sentence: string) => void,
+    signal: AbortSignal,
   ) {
     this.#canvas = canvas;
     this.#touchAction = touchAction;
@@ -33,7 +33,7 @@ export class PageScrolling {
       type: Type,
       listener: (event: HTMLElementEventMap[Type]) => void,
       options?: AddEventListenerOptions,
-    ) => canvas.addEventListener(type, listener, { signal: this.#listening.signal, ...options });
+    ) => canvas.addEventListener(type, listener, { signal, ...options });
     listen(
       'wheel',
       (event) => {
@@ -63,10 +63,6 @@ export class PageScrolling {
   update(): void {
     const action = this.#isOfCamera ? 'none' : (this.#touchAction() ?? 'pan-y');
     this.#canvas.style.setProperty('--own-touch-action', action);
-  }
-
-  dispose(): void {
-    this.#listening.abort();
   }
 
   get #isOfCamera(): boolean {

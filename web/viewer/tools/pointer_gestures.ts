@@ -26,16 +26,14 @@ interface Press {
 export class PointerGestures {
   readonly #canvas: HTMLCanvasElement;
   readonly #tools: SurfaceTools;
-  readonly #listening = new AbortController();
   #press: Press | undefined;
   #longPress = 0;
   #isHandingOver = false;
 
-  /** Must be made before the camera's controls, or these see a press on a site first. */
-  constructor(canvas: HTMLCanvasElement, tools: SurfaceTools) {
+  /** Must be made before the camera's controls, or these see a press on a site first. Ends with the signal. */
+  constructor(canvas: HTMLCanvasElement, tools: SurfaceTools, signal: AbortSignal) {
     this.#canvas = canvas;
     this.#tools = tools;
-    const { signal } = this.#listening;
     const listen = (type: string, listener: (event: PointerEvent) => void, capture = false) =>
       canvas.addEventListener(type, listener as EventListener, { signal, capture });
     listen('pointerdown', (event) => this.#down(event), true);
@@ -57,11 +55,6 @@ export class PointerGestures {
     if (this.#press?.site === 'brush') this.#tools.endStroke();
     else if (this.dragging) this.#tools.cancelMove();
     this.#end();
-  }
-
-  dispose(): void {
-    this.cancel();
-    this.#listening.abort();
   }
 
   #down(event: PointerEvent): void {
