@@ -173,7 +173,6 @@ export class Viewer implements Workpiece {
   }
 
   addSite(place: SitePlace): void {
-    if (!this.session.mesh) return;
     this.edit(() => this.selection.select(this.session.addSite(place)));
   }
 
@@ -399,9 +398,8 @@ export class Viewer implements Workpiece {
   }
 
   #adoptDensity(): void {
-    const { mesh } = this.session;
-    if (!this.#model || !mesh) return;
-    this.#model.adoptPaint(mesh);
+    if (!this.#model) return;
+    this.#model.adoptPaint();
     const isUniform = this.density === undefined;
     this.legend.showDensity(!isUniform);
     this.stage.invalidate();

@@ -24,9 +24,11 @@ export class OpenModel {
   readonly paint: DensityPaint;
   readonly builder: DrawingBuilder;
   readonly files: NamedFiles;
+  readonly #mesh: Mesh;
   #density: { perVertex: Float64Array; rootIntegral: number } | undefined;
 
   constructor({ mesh, scene, builder, files }: OpenedMesh, theme: Theme) {
+    this.#mesh = mesh;
     this.files = files;
     this.builder = builder;
     this.drawing = new ModelDrawing(scene);
@@ -45,11 +47,11 @@ export class OpenModel {
   }
 
   /** Makes what is painted the density, and draws it. */
-  adoptPaint(mesh: Mesh): void {
+  adoptPaint(): void {
     const perVertex = this.paint.density;
     this.#density = perVertex && {
       perVertex,
-      rootIntegral: rootDensityIntegral(mesh, perVertex),
+      rootIntegral: rootDensityIntegral(this.#mesh, perVertex),
     };
     this.drawing.setTints(this.paint.tints);
   }

@@ -151,7 +151,7 @@ export class Session {
   }
 
   replaceSites(sites: PointList): void {
-    if (this.mesh) this.#record(this.#history.createAll(sites));
+    this.#record(this.#history.createAll(sites));
   }
 
   /** Returns the identity of the new site. */
@@ -195,7 +195,7 @@ export class Session {
 
   /** Records a painted density, a step to undo if it is another. Ends a tessellation; the next one uses it. */
   recordDensity(tints: Tints): void {
-    if (!this.mesh || isSameDensity(tints, this.#history.tints)) return;
+    if (isSameDensity(tints, this.#history.tints)) return;
     this.#cvt.stop();
     this.#history.recordTints(tints);
     this.#listener.sitesChanged();
