@@ -128,10 +128,10 @@ export class CvtPlayer {
       return;
     }
     this.#use.statusChanged();
-    const { latest } = this.#run ?? {};
+    const { milliseconds } = this.#run ?? {};
     queueMicrotask(() => {
-      if (latest && shown === this.#diagram.shown && !this.isPlaying)
-        this.#listener.cvtRested(shown, latest.milliseconds);
+      if (milliseconds !== undefined && shown === this.#diagram.shown && !this.isPlaying)
+        this.#listener.cvtRested(shown, milliseconds);
     });
   }
 }

@@ -51,7 +51,7 @@ export class CvtRun {
   /** The state after that one. */
   #coming: Promise<TimedState> | undefined;
   #playing: { until: number } | undefined;
-  #latest: PreparedIteration | undefined;
+  #latest: { iteration: number; milliseconds: number } | undefined;
   #done = false;
 
   constructor(
@@ -84,13 +84,14 @@ export class CvtRun {
     return this.#done ? 'done' : 'paused';
   }
 
-  get latest(): PreparedIteration | undefined {
-    return this.#latest;
+  /** From asking for the last iteration to having it; undefined before the first one. */
+  get milliseconds(): number | undefined {
+    return this.#latest?.milliseconds;
   }
 
   /** The number of the last iteration; 0 also before it. */
   get iteration(): number {
-    return this.#latest?.state.iteration ?? 0;
+    return this.#latest?.iteration ?? 0;
   }
 
   play(until: number): void {
@@ -123,7 +124,7 @@ export class CvtRun {
         if (this.#playing !== playing) return;
         this.#asked = undefined;
         if (next) {
-          this.#latest = { ...next, prepared: undefined }; // large, and drawn now
+          this.#latest = { iteration: next.state.iteration, milliseconds: next.milliseconds };
           this.#listener.iterated(next);
         } else {
           this.#done = true;
