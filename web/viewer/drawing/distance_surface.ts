@@ -18,19 +18,21 @@ import { occlude } from './occlusion.js';
 import { wholeScene } from './record_buffer.js';
 import type { SceneMesh } from '../buffers/scene_mesh.js';
 
-/** Takes a scale in lengths of the scene. */
+/** The distance at every point of the surface, and what the colours for it mean. */
+export interface DrawnDistances {
+  triangles: DistanceTriangles;
+  /** In the model's units. */
+  scale: DistanceScale;
+}
+
 export class DistanceSurface {
   readonly object = new Group();
   readonly #uniforms = { longest: { value: 1 }, isolineStep: { value: 1 } };
 
-  constructor(
-    mesh: SceneMesh,
-    { faceReach, position, normal, reach }: DistanceTriangles,
-    { longest, step }: DistanceScale,
-    occlusion: Data3DTexture,
-  ) {
-    this.#uniforms.longest.value = longest;
-    this.#uniforms.isolineStep.value = step;
+  constructor(mesh: SceneMesh, { triangles, scale }: DrawnDistances, occlusion: Data3DTexture) {
+    const { faceReach, position, normal, reach } = triangles;
+    this.#uniforms.longest.value = mesh.frame.scale * scale.longest;
+    this.#uniforms.isolineStep.value = mesh.frame.scale * scale.step;
     const faces = geometryOf(mesh.cornerPositions, mesh.normals, faceReach);
     this.#add(faces, behindSurface, occlusion);
     this.#add(geometryOf(position, normal, reach), behindLines, occlusion);

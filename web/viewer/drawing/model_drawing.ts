@@ -14,9 +14,7 @@ import {
 import { css } from '../buffers/colour_vision.js';
 import type { DiagramGeometry, PreparedDiagram } from '../buffers/diagram_geometry.js';
 import type { DiagramSummary } from '../buffers/diagram_summary.js';
-import type { DistanceScale } from './distance_scale.js';
-import { DistanceSurface } from './distance_surface.js';
-import type { DistanceTriangles } from '../buffers/distance_triangles.js';
+import { type DrawnDistances, DistanceSurface } from './distance_surface.js';
 import { ExplodedView } from './exploded_view.js';
 import { chainEnds, FatLines, wireframe } from './lines.js';
 import type { OriginalMaterial } from './original_material.js';
@@ -58,6 +56,12 @@ interface ChangedDiagram {
   sites: Sites;
 }
 
+/** A part of the drawing; `dispose` frees its memory on the graphics card. */
+interface Drawn {
+  readonly object: Object3D;
+  dispose(): void;
+}
+
 /** A model with its diagram and sites, as objects of the scene. */
 export class ModelDrawing {
   readonly object = new Group();
@@ -75,7 +79,7 @@ export class ModelDrawing {
   readonly #dual = new FatLines({ width: 2.5 });
   readonly #voronoiPoints: VoronoiPointMarkers;
   /** The surface as regions and what lies on it, in the order of drawing. */
-  readonly #parts: readonly { object: Object3D; dispose(): void }[];
+  readonly #parts: readonly Drawn[];
   /** These, with the other surfaces. */
   readonly #whole = new Group();
   #distances: DistanceSurface | undefined;
@@ -162,36 +166,27 @@ export class ModelDrawing {
     this.outline.changeLoops(labels, part);
   }
 
-  /**
-   * The surface coloured by distance, in the model's units, instead of the regions; undefined for
-   * none.
-   */
-  setDistances(triangles: DistanceTriangles | undefined, inUnits?: DistanceScale): void {
-    if (this.#distances) this.#whole.remove(this.#distances.object);
-    this.#distances?.dispose();
-    const { scale } = this.mesh.frame;
-    this.#distances =
-      triangles &&
-      inUnits &&
-      new DistanceSurface(
-        this.mesh,
-        triangles,
-        { longest: scale * inUnits.longest, step: scale * inUnits.step },
-        this.#occlusion,
-      );
-    if (this.#distances) this.#whole.add(this.#distances.object);
+  /** The surface coloured by distance, instead of the regions; undefined for none. */
+  setDistances(distances: DrawnDistances | undefined): void {
+    const before = this.#distances;
+    this.#distances = distances && new DistanceSurface(this.mesh, distances, this.#occlusion);
+    this.#replace(before, this.#distances);
     this.#showSurface();
   }
 
   /** The surface as its file colours it, instead of the regions; undefined for none. */
   setOriginal(original: OriginalMaterial | undefined): void {
     if (this.#original === original) return;
-    if (this.#original) this.#whole.remove(this.#original.object);
-    this.#original?.dispose();
+    this.#replace(this.#original, original);
     this.#original = original;
-    if (original) this.#whole.add(original.object);
     this.#rimBisectors();
     this.#showSurface();
+  }
+
+  #replace(before: Drawn | undefined, after: Drawn | undefined): void {
+    if (before) this.#whole.remove(before.object);
+    before?.dispose();
+    if (after) this.#whole.add(after.object);
   }
 
   /** Regions are coloured so that bisectors stand out; a file's own colours may be any. */

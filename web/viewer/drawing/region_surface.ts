@@ -260,13 +260,7 @@ export class RegionSurface {
     const label = keys[2 * triangle + 1];
     for (let k = 0; k < 9; k += 3) {
       if (this.#tints) {
-        const corner = 9 * triangle + k;
-        const tint = this.#tintAt(
-          face,
-          position[corner],
-          position[corner + 1],
-          position[corner + 2],
-        );
+        const tint = this.#tintAt(face, position, 9 * triangle + k);
         colours.writeTinted(label, tint, target, at + k);
       } else {
         colours.write(label, target, at + k);
@@ -283,7 +277,9 @@ export class RegionSurface {
     }
   }
 
-  #tintAt(face: number, x: number, y: number, z: number): number {
+  /** The tint at the place `position[at…]` of a face. */
+  #tintAt(face: number, position: ArrayLike<number>, at: number): number {
+    const [x, y, z] = [position[at], position[at + 1], position[at + 2]];
     return this.#mesh.interpolate(face, this.#mesh.barycentric(face, x, y, z), this.#tints ?? []);
   }
 

@@ -5,8 +5,9 @@
 import type { Diagram, Violation } from 'geodesic-voronoi';
 import type { Attributes } from '../attributes/attribute_values.js';
 import { Derived } from './derived.js';
-import { type DistanceScale, distanceScale } from '../drawing/distance_scale.js';
-import { cornersToAsk, type DistanceTriangles } from '../buffers/distance_triangles.js';
+import { distanceScale } from '../drawing/distance_scale.js';
+import type { DrawnDistances } from '../drawing/distance_surface.js';
+import { cornersToAsk } from '../buffers/distance_triangles.js';
 import type { Emit } from '../events.js';
 import { type ExplodedParts, widestSpread } from '../drawing/exploded_parts.js';
 import type { Legend } from './legend.js';
@@ -33,13 +34,6 @@ interface Parts {
   parts: ExplodedParts;
 }
 
-/** The surface coloured by distance, and what the colours mean. */
-interface Distances {
-  triangles: DistanceTriangles;
-  /** In the model's units. */
-  scale: DistanceScale;
-}
-
 /** The dual's sides, and whether it has the topology of the surface. */
 interface Dual {
   /** Both ends of every piece of the sides. */
@@ -64,7 +58,7 @@ export class DerivedDrawings {
     adopt: (parts) => this.#showParts(parts),
     failed: (error) => this.#fail('The exploded view cannot be drawn', error),
   });
-  readonly #distances = new Derived<Distances>({
+  readonly #distances = new Derived<DrawnDistances>({
     compute: (diagram, signal) => this.#makeDistances(diagram, signal),
     adopt: (distances) => this.#showDistances(distances),
     failed: (error) => this.#fail('The distances cannot be drawn', error),
@@ -144,7 +138,7 @@ export class DerivedDrawings {
     this.#emit('exploded', detail ?? null);
   }
 
-  async #makeDistances(diagram: Diagram, signal: AbortSignal): Promise<Distances | undefined> {
+  async #makeDistances(diagram: Diagram, signal: AbortSignal): Promise<DrawnDistances | undefined> {
     const { model } = this.#place;
     if (!model) return undefined;
     const { mesh } = model.drawing;
@@ -167,9 +161,9 @@ export class DerivedDrawings {
     return triangles && { triangles, scale: distanceScale(longest) };
   }
 
-  #showDistances(distances: Distances | undefined): void {
+  #showDistances(distances: DrawnDistances | undefined): void {
     const { model, stage, legend } = this.#place;
-    model?.drawing.setDistances(distances?.triangles, distances?.scale);
+    model?.drawing.setDistances(distances);
     legend.showDistances(distances?.scale);
     stage.invalidate();
     this.#emit('distances', distances ? { longest: distances.scale.longest } : null);
