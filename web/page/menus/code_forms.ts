@@ -150,19 +150,17 @@ function addressOf({ name, address = encodeURIComponent(name) }: CodeModel): str
 }
 
 function scriptOf({ viewer, model, origin, sitesFile }: Recipe): string {
-  const [sites, seed, sampling, metric, detail, iterations] = [
-    ...['sites', 'seed', 'sampling', 'metric', 'detail', 'cvt-iterations'],
-  ].map((name) => attributeOf(viewer, name));
+  const value = (name: string) => attributeOf(viewer, name);
   const meshOptions = options(changed(viewer, buildAttributes));
   const siteOptions = [
-    ...[`seed: ${seed}`, `sampling: '${sampling}'`],
+    ...[`seed: ${value('seed')}`, `sampling: '${value('sampling')}'`],
     ...options(changed(viewer, ['per-component'])),
   ];
   const cvtOptions = [
-    ...[`iterations: ${iterations}`, `metric: '${metric}'`],
+    ...[`iterations: ${value('cvt-iterations')}`, `metric: '${value('metric')}'`],
     ...options(changed(viewer, ['cvt-method'])),
   ];
-  const sampled = `await mesh.sampleSites(${sites}, { ${siteOptions.join(', ')} })`;
+  const sampled = `await mesh.sampleSites(${value('sites')}, { ${siteOptions.join(', ')} })`;
   const placing: Record<Origin, readonly string[]> = {
     sampled: [`const sites = ${sampled};`],
     even: [
@@ -179,7 +177,7 @@ function scriptOf({ viewer, model, origin, sitesFile }: Recipe): string {
     `const bytes = await (await fetch('${addressOf(model)}')).arrayBuffer();`,
     `const mesh = await library.mesh(new Uint8Array(bytes)${meshOptions.length > 0 ? `, { ${meshOptions.join(', ')} }` : ''});`,
     ...placing[origin],
-    `const diagram = await mesh.voronoi(sites, { metric: '${metric}', detail: ${detail} });`,
+    `const diagram = await mesh.voronoi(sites, { metric: '${value('metric')}', detail: ${value('detail')} });`,
   ].join('\n');
 }
 

@@ -12,11 +12,14 @@ import { sitesCsv, sitesJson } from '../model/sites_file.js';
 import { modelName } from '../state/page_state.js';
 import { violationSentence } from '../controls/valid_dual.js';
 
-type Encoder = (
-  diagram: Diagram,
-  options: { mesh?: AttributeSource },
-  viewer: GeodesicVoronoiElement,
-) => Blob | Promise<Blob>;
+/** What files are made of. */
+interface Source {
+  viewer: GeodesicVoronoiElement;
+  diagram: Diagram;
+  mesh: AttributeSource | undefined;
+}
+
+type Encoder = (source: Source) => Blob | Promise<Blob>;
 
 const mediaTypes = {
   csv: 'text/csv',
@@ -32,16 +35,15 @@ const mediaTypes = {
 /** The encoders of results of the diagram, as the menu has them. */
 const encoders: Record<string, Record<string, Encoder>> = {
   outlines: {
-    svg: async (diagram, _, viewer) =>
+    svg: async ({ viewer, diagram }) =>
       new Blob([await outlinesSvg(viewer, await diagram.fetchData())], { type: mediaTypes.svg }),
   },
   sites: {
-    json: (_, __, viewer) =>
-      new Blob([JSON.stringify(sitesJson(viewer))], { type: mediaTypes.json }),
-    csv: async (_, __, viewer) => new Blob([await sitesCsv(viewer)], { type: mediaTypes.csv }),
+    json: ({ viewer }) => new Blob([JSON.stringify(sitesJson(viewer))], { type: mediaTypes.json }),
+    csv: async ({ viewer }) => new Blob([await sitesCsv(viewer)], { type: mediaTypes.csv }),
   },
   diagram: {
-    json: async (diagram) => {
+    json: async ({ diagram }) => {
       const data = await diagram.fetchData();
       const { metric, sites } = diagram;
       return encode(mediaTypes.json, 'diagramJson', { metric, sites, data });
@@ -49,29 +51,29 @@ const encoders: Record<string, Record<string, Encoder>> = {
   },
   bisectors: {
     // Copies only the arrays that are needed.
-    glb: async (diagram) => {
+    glb: async ({ diagram }) => {
       const { points, segments } = await bisectorsOf(diagram);
       return encode(mediaTypes.glb, 'diagramGlb', { points, segments });
     },
-    obj: async (diagram) => {
+    obj: async ({ diagram }) => {
       const { points, arcs } = await bisectorsOf(diagram);
       return encode(mediaTypes.obj, 'diagramObj', { points, arcs });
     },
   },
   parts: {
-    glb: async (diagram, options, viewer) =>
+    glb: async ({ viewer, diagram, mesh }) =>
       encode(mediaTypes.glb, 'partitionGlb', await diagram.partition(), {
-        ...options,
+        mesh,
         colours: coloursOf(viewer),
       }),
-    obj: async (diagram, options) =>
-      encode(mediaTypes.obj, 'partitionObj', await diagram.partition(), options),
-    ply: async (diagram, options, viewer) =>
+    obj: async ({ diagram, mesh }) =>
+      encode(mediaTypes.obj, 'partitionObj', await diagram.partition(), { mesh }),
+    ply: async ({ viewer, diagram, mesh }) =>
       encode(mediaTypes.ply, 'partitionPly', await diagram.partition(), {
-        ...options,
+        mesh,
         colours: coloursOf(viewer),
       }),
-    stl: async (diagram) => encode(mediaTypes.zip, 'partitionStls', await diagram.partition()),
+    stl: async ({ diagram }) => encode(mediaTypes.zip, 'partitionStls', await diagram.partition()),
   },
   polygons: polygonEncoders(true),
   dual: polygonEncoders(false),
@@ -85,19 +87,19 @@ async function bisectorsOf(diagram: Diagram): Promise<DiagramData> {
 }
 
 function polygonEncoders(primal: boolean): Record<Formats['dual'], Encoder> {
-  const polygons = async (diagram: Diagram) => {
-    const mesh = await diagram.dual({ primal });
-    if (mesh.faces.offset.length > 1) return mesh;
+  const polygons = async ({ diagram }: Source) => {
+    const made = await diagram.dual({ primal });
+    if (made.faces.offset.length > 1) return made;
     throw new Error(`the ${primal ? 'regions have' : 'dual has'} no polygons`);
   };
   return {
-    glb: async (diagram, options) =>
-      encode(mediaTypes.glb, 'polygonGlb', await polygons(diagram), options),
-    obj: async (diagram, options) =>
-      encode(mediaTypes.obj, 'polygonObj', await polygons(diagram), options),
-    ply: async (diagram, options) =>
-      encode(mediaTypes.ply, 'polygonPly', await polygons(diagram), options),
-    stl: async (diagram) => encode(mediaTypes.stl, 'polygonStl', await polygons(diagram)),
+    glb: async (source) =>
+      encode(mediaTypes.glb, 'polygonGlb', await polygons(source), { mesh: source.mesh }),
+    obj: async (source) =>
+      encode(mediaTypes.obj, 'polygonObj', await polygons(source), { mesh: source.mesh }),
+    ply: async (source) =>
+      encode(mediaTypes.ply, 'polygonPly', await polygons(source), { mesh: source.mesh }),
+    stl: async (source) => encode(mediaTypes.stl, 'polygonStl', await polygons(source)),
   };
 }
 
@@ -158,7 +160,7 @@ export async function fileOf(
   const [model, mesh] = [modelName(viewer), sourceOf(viewer)];
   const what = polygonFiles[name];
   const violations = what && violationSentence(what, await diagram.violations());
-  const blob = await encoders[name][format](diagram, { mesh }, viewer);
+  const blob = await encoders[name][format]({ viewer, diagram, mesh });
   const ending = blob.type === mediaTypes.zip ? 'zip' : format;
   return { blob, name: downloadName(model, name, ending), violations };
 }

@@ -93,18 +93,18 @@ export function readPageState(viewer: GeodesicVoronoiElement, hash: string): voi
   const ofFile = model && !isSample(model) ? ofOneModel : [];
   for (const name of linkAttributes) if (!ofFile.includes(name)) restore(name);
   const waiting = new AbortController();
-  let endNote: (() => void) | undefined;
+  let isFirst = true;
+  let endNote = () => {};
   const bringBack = ({ detail: { name } }: CustomEvent<ViewerEvents['load']>) => {
-    const isFirst = !endNote;
-    endNote?.();
-    endNote = () => {};
+    endNote();
     // Sites on a reader's own file make no sense without it.
     if (model && name !== model) {
-      if (isSample(model) || !isFirst) return;
-      endNote = showNote(`This link is of ${model}, which it does not hold: open that file, too.`, {
-        title: 'Open file…',
-        act: () => byId('open', HTMLButtonElement).click(),
-      });
+      if (isFirst && !isSample(model))
+        endNote = showNote(
+          `This link is of ${model}, which it does not hold: open that file, too.`,
+          { title: 'Open file…', act: () => byId('open', HTMLButtonElement).click() },
+        );
+      isFirst = false;
       return;
     }
     const others = ofFile.filter(restore);
