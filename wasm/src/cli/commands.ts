@@ -26,15 +26,8 @@ import { meshReport } from './mesh_report.js';
 import type { CommandName, Invocation, Values } from './options.js';
 import { pathsBetween } from './paths.js';
 import { readNumbers, readPoints } from './points.js';
-import {
-  lengthsOf,
-  meshNotes,
-  onSurface,
-  openMesh,
-  openWithSites,
-  withProgress,
-  writeNotes,
-} from './sites.js';
+import { withProgress } from './progress.js';
+import { lengthsOf, meshNotes, onSurface, openMesh, openWithSites, writeNotes } from './sites.js';
 import type { Lengths } from './values.js';
 
 type Request<Command extends CommandName> = Extract<Invocation, { command: Command }>;
@@ -273,7 +266,6 @@ async function remesh({ mesh: path, values }: Request<'remesh'>): Promise<void> 
     ),
   );
   await noteCoarseTessellation(diagram, values);
-  const first = ('vertex' in sites ? sites.vertex : sites.face).length;
   const polygons = await diagram.dual();
   const quality = await diagram.remeshQuality();
   await output.write(
@@ -281,7 +273,7 @@ async function remesh({ mesh: path, values }: Request<'remesh'>): Promise<void> 
   );
   const number = (x: number) => String(Number(x.toPrecision(4)));
   output.summarise(
-    `${polygonSummary(first, diagram, polygons)}\n` +
+    `${polygonSummary(sites.face.length, diagram, polygons)}\n` +
       `${counted(quality.triangles, 'triangle')}: least angle ${number(quality.minAngle)}°, ` +
       `mean of the least ones ${number(quality.meanMinAngle)}°; ` +
       `valence ${quality.minValence} to ${quality.maxValence}, ` +

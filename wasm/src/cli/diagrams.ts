@@ -6,7 +6,8 @@ import { mostMislabelled } from '../api/results.js';
 import { counted } from '../base/sentences.js';
 import type { Diagram, Mesh } from '../api/types.js';
 import type { Output } from './files.js';
-import { type Notices, openWithSites, type SiteValues, withProgress, writeNotes } from './sites.js';
+import { withProgress } from './progress.js';
+import { type Notices, openWithSites, type SiteValues, writeNotes } from './sites.js';
 
 /** Opens a mesh and computes the diagram of the sites that the options ask for. */
 export async function openDiagram(

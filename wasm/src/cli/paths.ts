@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
 // Shortest paths between the points that the command is given.
-import type { SurfacePath } from '../api/results.js';
+import type { SurfacePath, SurfacePoints } from '../api/results.js';
 import { partOf } from '../base/slices.js';
 import type { SurfacePointsInput } from '../api/options.js';
 import type { Mesh } from '../api/types.js';
 import { FileError } from './files.js';
-import type { PointsOnSurface } from './sites.js';
 
 /** A path from each start to its end; either may be one for all. */
 export async function pathsBetween(
   mesh: Mesh,
-  from: PointsOnSurface,
-  to: PointsOnSurface,
+  from: SurfacePoints,
+  to: SurfacePoints,
   onProgress: (share: number) => void,
 ): Promise<SurfacePath[]> {
   const [starts, ends] = [singlePoints(from), singlePoints(to)];
@@ -49,8 +48,6 @@ function reversed({ points: { face, bary, position }, length }: SurfacePath): Su
 }
 
 /** Each of some points. */
-function singlePoints(points: PointsOnSurface): SurfacePointsInput[] {
-  if ('vertex' in points) return Array.from(points.vertex, (vertex) => ({ vertex }));
-  const { face, bary } = points;
+function singlePoints({ face, bary }: SurfacePoints): SurfacePointsInput[] {
   return Array.from(face, (f, i) => ({ face: f, bary: bary.subarray(3 * i, 3 * i + 3) }));
 }

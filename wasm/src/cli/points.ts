@@ -14,10 +14,10 @@ export async function readNumbers(given: string): Promise<number[]> {
 }
 
 /** Points as they were given, with the name that messages call them. */
-export type GivenPoints = PointsFile & { name: string };
+export type NamedPoints = PointsFile & { name: string };
 
 /** Reads a list of sites or points. */
-export async function readPoints(given: string): Promise<GivenPoints> {
+export async function readPoints(given: string): Promise<NamedPoints> {
   if (/^\d+$/.test(given) && !(await exists(given)))
     throw new FileError(`there is no file ${given}; a vertex is given as '{"vertex": ${given}}'`);
   const file = await readAs(given, async (bytes) => pointsFile(await readPointsFile(bytes)));

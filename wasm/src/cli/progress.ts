@@ -1,11 +1,25 @@
 // SPDX-License-Identifier: MIT
 //
 // The bar of `--progress`.
+import type { Values } from './options.js';
 
 const width = 40;
 
+/** Shows how far the work is, on a terminal or if `--progress` is given. */
+export async function withProgress<Result>(
+  { quiet, progress }: Pick<Values<'diagram'>, 'quiet' | 'progress'>,
+  work: (onProgress: (share: number) => void) => Promise<Result>,
+): Promise<Result> {
+  const bar = !quiet && (progress || process.stderr.isTTY) ? new ProgressBar() : undefined;
+  try {
+    return await work((share) => bar?.update(share));
+  } finally {
+    bar?.clear();
+  }
+}
+
 /** A bar on standard error: drawn in place on a terminal, else a line per tenth. */
-export class ProgressBar {
+class ProgressBar {
   readonly #isTerminal = process.stderr.isTTY;
   #shown = -1;
 

@@ -10,17 +10,14 @@ import type { Density } from '../api/options.js';
 import type { Mesh } from '../api/types.js';
 import { FileError, type Output, readModel } from './files.js';
 import { areRandom, standard, type Values } from './options.js';
-import { type GivenPoints, readPoints } from './points.js';
-import { ProgressBar } from './progress.js';
+import { type NamedPoints, readPoints } from './points.js';
+import { withProgress } from './progress.js';
 import type { Lengths } from './values.js';
 
 /** The options that all commands with sites have; those of `info` all have. */
 export type SiteValues = Values<'distances'>;
-/** Points by triangles or vertices. */
-export type PointsOnSurface = SurfacePoints | { vertex: Int32Array };
-/** What may be written to standard error. */
-export type Notices = Pick<Values<'diagram'>, 'quiet' | 'progress'>;
-
+/** Whether standard error gets notes. */
+export type Notices = Pick<Values, 'quiet'>;
 /** Opens a mesh whose result goes to an output, which may be none of the model's files. */
 export async function openMesh(
   path: string,
@@ -57,7 +54,7 @@ export async function openWithSites(
   output: Output,
   values: SiteValues,
   { density, addsSites }: { density?: Density | undefined; addsSites?: boolean } = {},
-): Promise<{ mesh: Mesh; sites: PointsOnSurface }> {
+): Promise<{ mesh: Mesh; sites: SurfacePoints }> {
   const given = typeof values.sites === 'string' ? await readPoints(values.sites) : undefined;
   const mesh = await openMesh(path, output, values);
   const sites = given ? await onSurface(mesh, given, values) : await sampled(mesh, values, density);
@@ -65,16 +62,16 @@ export async function openWithSites(
   return { mesh, sites };
 }
 
-export function writeNotes(notes: string[], { quiet }: Pick<Notices, 'quiet'>): void {
+export function writeNotes(notes: string[], { quiet }: Notices): void {
   if (!quiet) for (const note of notes) process.stderr.write(`note: ${note}\n`);
 }
 
 /** Points that were given; of places in space, the closest points, however far these are. */
 export async function onSurface(
   mesh: Mesh,
-  given: GivenPoints,
+  given: NamedPoints,
   values: Pick<Values<'diagram'>, 'quiet' | 'units'>,
-): Promise<PointsOnSurface> {
+): Promise<SurfacePoints> {
   try {
     const { points, faces } = given;
     const list = toPoints('points', points);
@@ -89,7 +86,7 @@ async function closestOf(
   mesh: Mesh,
   places: Float64Array,
   { quiet, units }: Pick<Values<'diagram'>, 'quiet' | 'units'>,
-): Promise<PointsOnSurface> {
+): Promise<SurfacePoints> {
   const closest = await mesh.closestPoints(places);
   const farthest = closest.distance.reduce((most, d) => Math.max(most, d), 0);
   const { boundingDiagonal } = mesh.info;
@@ -108,7 +105,7 @@ async function sampled(
   mesh: Mesh,
   values: SiteValues,
   wantedDensity: Density | undefined,
-): Promise<PointsOnSurface> {
+): Promise<SurfacePoints> {
   const { sites, radius, sampling, seed, 'per-component': perComponent, units } = values;
   const wanted = radius === undefined ? (sites as number) : { radius: radius / units.scale };
   const density = areRandom(values) ? wantedDensity : undefined;
@@ -150,27 +147,13 @@ export function meshNotes({ info: { notes, repairs } }: Mesh): string[] {
 }
 
 /** Notes the components that no site is on, if there are any, and options that put one on each. */
-async function bareNotes(mesh: Mesh, sites: PointsOnSurface): Promise<string[]> {
+async function bareNotes(mesh: Mesh, sites: SurfacePoints): Promise<string[]> {
   const { components, area } = mesh.info;
   const bare = await mesh.bareComponents(sites);
   if (bare.components === 0) return [];
   const share = Number(((100 * bare.area) / area).toPrecision(2));
-  const count = ('vertex' in sites ? sites.vertex : sites.face).length;
   return [
     `${bare.components} of ${components} components, ${share} % of the area, have no site ` +
-      `(--sites ${Math.max(count, components)} --per-component 1 samples one on each)`,
+      `(--sites ${Math.max(sites.face.length, components)} --per-component 1 samples one on each)`,
   ];
-}
-
-/** Shows how far the work is, if `--progress` is given. */
-export async function withProgress<Result>(
-  { quiet, progress }: Notices,
-  work: (onProgress: (share: number) => void) => Promise<Result>,
-): Promise<Result> {
-  const bar = !quiet && (progress || process.stderr.isTTY) ? new ProgressBar() : undefined;
-  try {
-    return await work((share) => bar?.update(share));
-  } finally {
-    bar?.clear();
-  }
 }
