@@ -34,23 +34,10 @@ export type {
   AttributeSource,
   FileOptions,
   JsonOptions,
+  PartitionLayout,
   SurfaceFileOptions,
 } from './output/file_options.js';
-export type {
-  PartitionColourOptions,
-  PartitionGlbOptions,
-  PartitionJson,
-  PartitionJsonOptions,
-  PartitionLayout,
-  PartitionStlOptions,
-} from './output/partition_formats.js';
-export {
-  partitionGlb,
-  partitionJson,
-  partitionObj,
-  partitionPly,
-  partitionStl,
-} from './output/partition_formats.js';
+export * from './output/partition_formats.js';
 export * from './output/polygon_formats.js';
 export { repairSentences } from './base/sentences.js';
 

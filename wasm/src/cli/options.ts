@@ -15,7 +15,7 @@ import {
   tessellationDefaults,
 } from '../library/arguments.js';
 import { integers, oneOf } from '../base/rules.js';
-import { type PartitionLayout, partitionLayouts } from '../output/partition_formats.js';
+import { type PartitionLayout, partitionLayouts } from '../output/file_options.js';
 import {
   type CvtMethod,
   type Metric,

@@ -29,6 +29,9 @@ export interface SurfaceFileOptions extends FileOptions {
   mesh?: AttributeSource | undefined;
 }
 
+export type PartitionLayout = (typeof partitionLayouts)[number];
+export const partitionLayouts = ['regions', 'features'] as const;
+
 /** The options of a writer, with defaults for those left out; checks those that several have. */
 export function toFileOptions<
   Options extends FileOptions,

@@ -6,10 +6,12 @@ import { joinedVertices, partitionVertices, type TriangleRun } from './vertex_at
 import { show, toResult } from '../base/checks.js';
 import { integers, oneOf, requireAllowed, share } from '../base/rules.js';
 import {
+  partitionLayouts,
   toFileOptions,
   type AttributeSource,
   type FileOptions,
   type JsonOptions,
+  type PartitionLayout,
   type SurfaceFileOptions,
 } from './file_options.js';
 import { invalidArgument } from '../api/errors.js';
@@ -46,9 +48,6 @@ export interface PartitionStlOptions extends FileOptions {
   /** The region to write, by the index of its site; -1 is what no site reaches. Default: all. */
   region?: number | undefined;
 }
-
-export type PartitionLayout = 'regions' | 'features';
-export const partitionLayouts: readonly PartitionLayout[] = ['regions', 'features'];
 
 /** The JSON form of a partition; without its triangles where only facts of regions are wanted. */
 export interface PartitionJson extends LengthsJson {
