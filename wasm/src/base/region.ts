@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A region of a diagram as callers see it.
+import { listAt } from './lists.js';
 import { inspectSymbol, tagSymbol } from './symbols.js';
 import type { DiagramData } from '../api/results.js';
 import type { Region } from '../api/types.js';
@@ -47,11 +48,9 @@ class DataRegion implements Region {
 
   get loops(): Int32Array[] {
     const { loopStart } = this.#index();
-    const { offset, points } = this.#data.loops;
     const loops = [];
-    for (let i = loopStart[this.label]; i < loopStart[this.label + 1]; ++i) {
-      loops.push(points.subarray(offset[i], offset[i + 1]));
-    }
+    for (let i = loopStart[this.label]; i < loopStart[this.label + 1]; ++i)
+      loops.push(listAt(this.#data.loops, i));
     return loops;
   }
 

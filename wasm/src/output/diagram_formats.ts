@@ -3,6 +3,7 @@
 // A diagram as a file.
 
 import { isObject, toResult } from '../base/checks.js';
+import { listAt } from '../base/lists.js';
 import { toFileOptions, type FileOptions, type JsonOptions } from './file_options.js';
 import { emptyGlb, GlbBuilder } from './glb.js';
 import {
@@ -62,7 +63,7 @@ export function diagramJson(
     })),
     arcs: Array.from({ length: arcs.labels.length / 2 }, (_, i) => ({
       labels: [...arcs.labels.subarray(2 * i, 2 * i + 2)],
-      points: numbers(arcs.points.subarray(arcs.offset[i], arcs.offset[i + 1])),
+      points: numbers(listAt(arcs, i)),
       faces: arcFaces[i],
     })),
     voronoiPoints: Array.from(voronoiPoints.point, (point, i) => ({
@@ -79,7 +80,7 @@ export function diagramJson(
     cells: Array.from(cells.face, (face, i) => ({
       face,
       label: cells.label[i],
-      points: numbers(cells.points.subarray(cells.offset[i], cells.offset[i + 1])),
+      points: numbers(listAt(cells, i)),
     })),
   };
 }
@@ -91,12 +92,10 @@ function facesOfArcs({ segments, arcs }: DiagramData): number[][] {
     const [tail, tip] = segments.points.subarray(2 * s, 2 * s + 2);
     faceOf[segments.arc[s]].set(`${tail} ${tip}`, face);
   });
-  return faceOf.map((faces, i) =>
-    Array.from(
-      arcs.points.subarray(arcs.offset[i], arcs.offset[i + 1] - 1),
-      (tail, k) => faces.get(`${tail} ${arcs.points[arcs.offset[i] + k + 1]}`)!,
-    ),
-  );
+  return faceOf.map((faces, i) => {
+    const points = listAt(arcs, i);
+    return Array.from(points.subarray(1), (tip, k) => faces.get(`${points[k]} ${tip}`)!);
+  });
 }
 
 function pointsAt({ face, bary, position }: PlacedPoints, indices: Uint32Array): PlacedPoints {
@@ -140,10 +139,7 @@ export function diagramObj(
   }
   for (let i = 0; i + 1 < arcs.offset.length; ++i) {
     const [left, right] = arcs.labels.subarray(2 * i);
-    const chain = Array.from(
-      arcs.points.subarray(arcs.offset[i], arcs.offset[i + 1]),
-      (point) => number[point] + 1,
-    );
+    const chain = Array.from(listAt(arcs, i), (point) => number[point] + 1);
     lines.push(`g bisector_${left}_${right}`, `l ${chain.join(' ')}`);
   }
   return `${lines.join('\n')}\n`;

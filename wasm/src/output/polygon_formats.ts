@@ -4,6 +4,7 @@
 
 import { pointVertices } from './vertex_attributes.js';
 import { toResult } from '../base/checks.js';
+import { listAt } from '../base/lists.js';
 import {
   toFileOptions,
   type FileOptions,
@@ -37,9 +38,7 @@ export function polygonJson(polygons: PolygonMesh, options?: JsonOptions): Polyg
   return {
     ...lengthsJson({ scale, unit }),
     points: placedPointsJson(points, scale),
-    faces: Array.from({ length: faces.offset.length - 1 }, (_, f) => [
-      ...faces.points.subarray(faces.offset[f], faces.offset[f + 1]),
-    ]),
+    faces: Array.from({ length: faces.offset.length - 1 }, (_, f) => [...listAt(faces, f)]),
     vertexLabel: [...vertexLabel],
     faceLabel: [...faceLabel],
     topology,
@@ -74,8 +73,9 @@ export function polygonObj(polygons: PolygonMesh, options?: SurfaceFileOptions):
   const lines = objLines(points.position, vertices, scale);
   for (let f = 0; f + 1 < faces.offset.length; ++f) {
     if (faceLabel.length > 0) lines.push(`g region_${faceLabel[f]}`);
-    const corners = faces.points.subarray(faces.offset[f], faces.offset[f + 1]);
-    lines.push(`f ${Array.from(corners, (point) => objCorner(vertices, point, point)).join(' ')}`);
+    lines.push(
+      `f ${Array.from(listAt(faces, f), (point) => objCorner(vertices, point, point)).join(' ')}`,
+    );
   }
   return `# Polygons of a geodesic Voronoi diagram\n${lines.join('\n')}\n`;
 }
@@ -108,12 +108,12 @@ export function polygonStl(polygons: PolygonMesh, options?: FileOptions): Uint8A
 
 /** Drops polygons of one or two corners, which occur where regions have few neighbours. */
 function withArea({ faces, faceLabel }: PolygonMesh): Pick<PolygonMesh, 'faces' | 'faceLabel'> {
-  const { offset, points } = faces;
-  const kept = Array.from({ length: offset.length - 1 }, (_, f) => f).filter(
-    (f) => offset[f + 1] - offset[f] >= 3,
+  const count = faces.offset.length - 1;
+  const kept = Array.from({ length: count }, (_, f) => f).filter(
+    (f) => listAt(faces, f).length >= 3,
   );
-  if (kept.length === offset.length - 1) return { faces, faceLabel };
-  const lists = kept.map((f) => points.subarray(offset[f], offset[f + 1]));
+  if (kept.length === count) return { faces, faceLabel };
+  const lists = kept.map((f) => listAt(faces, f));
   let end = 0;
   return {
     faces: {
