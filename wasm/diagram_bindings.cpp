@@ -258,8 +258,7 @@ GVD_ABI Answer* pathToSite(const VoronoiHandle* voronoi, Ints face, Doubles bary
 
 /// `DiagramData`.
 GVD_ABI Answer* voronoiDiagram(VoronoiHandle* voronoi) {
-  return answerOn(voronoi,
-                  [](const DiagramOnMesh& on) { return diagramRecording(on.mesh, on.diagram); });
+  return answerOn(voronoi, diagramRecording);
 }
 
 /// `DiagramChange`. Nothing else may be asked of the diagram until it is done.

@@ -23,6 +23,7 @@
 #include "gvd/sliced_work.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
+#include "records.h"
 
 namespace gvd::abi {
 
@@ -31,12 +32,6 @@ struct MeshHandle {
   std::shared_ptr<const TriangleMesh> mesh;
   /// Made when it is first asked for, of the mesh or of a diagram on it.
   std::shared_ptr<std::optional<ClosestPointQuery>> closestPoints;
-};
-
-/// A diagram as traced, with the mesh that it is on.
-struct DiagramOnMesh {
-  std::shared_ptr<const TriangleMesh> mesh;
-  std::shared_ptr<const Diagram> diagram;
 };
 
 /// A diagram of sites, which may change.

@@ -171,24 +171,21 @@ Record topologyRecord(const PolygonTopology& topology) {
 
 class DiagramRecording final : public SlicedWork<Record> {
  public:
-  DiagramRecording(std::shared_ptr<const TriangleMesh> mesh, std::shared_ptr<const Diagram> diagram)
-      : mesh_(std::move(mesh)),
-        diagram_(std::move(diagram)),
-        points_(*mesh_, diagram_->points, true) {}
+  explicit DiagramRecording(const DiagramOnMesh& on)
+      : on_(on), points_(*on_.mesh, on_.diagram->points, true) {}
 
   bool advance(long budget) override { return points_.step(budget); }
   double share() const override { return points_.progress(); }
   Record result() override {
     Record out;
-    out.add("siteCount", diagram_->siteCount);
-    out.add("faceLabel", inputFaceLabels(*mesh_, diagram_->faceLabel));
-    out.add(piecesRecord(*mesh_, *diagram_, points_.take()));
+    out.add("siteCount", on_.diagram->siteCount);
+    out.add("faceLabel", inputFaceLabels(*on_.mesh, on_.diagram->faceLabel));
+    out.add(piecesRecord(*on_.mesh, *on_.diagram, points_.take()));
     return out;
   }
 
  private:
-  const std::shared_ptr<const TriangleMesh> mesh_;
-  const std::shared_ptr<const Diagram> diagram_;
+  const DiagramOnMesh on_;
   PointsRecording points_;
 };
 
@@ -251,9 +248,8 @@ Record pathRecord(const TriangleMesh& mesh, std::span<const SurfacePoint> path) 
   return out;
 }
 
-std::unique_ptr<SlicedWork<Record>> diagramRecording(std::shared_ptr<const TriangleMesh> mesh,
-                                                     std::shared_ptr<const Diagram> diagram) {
-  return std::make_unique<DiagramRecording>(std::move(mesh), std::move(diagram));
+std::unique_ptr<SlicedWork<Record>> diagramRecording(const DiagramOnMesh& on) {
+  return std::make_unique<DiagramRecording>(on);
 }
 
 Record changeRecord(const TriangleMesh& mesh, int label, DiagramChange change) {

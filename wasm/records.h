@@ -19,6 +19,12 @@
 
 namespace gvd::abi {
 
+/// A diagram as traced, with the mesh that it is on.
+struct DiagramOnMesh {
+  std::shared_ptr<const TriangleMesh> mesh;
+  std::shared_ptr<const Diagram> diagram;
+};
+
 /// `SurfacePoints`, or `PlacedPoints` with their positions, made in slices.
 class PointsRecording {
  public:
@@ -45,8 +51,7 @@ Record placedRecord(const TriangleMesh& mesh, std::span<const SurfacePoint> poin
 /// `SurfacePath`.
 Record pathRecord(const TriangleMesh& mesh, std::span<const SurfacePoint> path);
 /// `DiagramData`, in slices.
-std::unique_ptr<SlicedWork<Record>> diagramRecording(std::shared_ptr<const TriangleMesh> mesh,
-                                                     std::shared_ptr<const Diagram> diagram);
+std::unique_ptr<SlicedWork<Record>> diagramRecording(const DiagramOnMesh& on);
 /// `DiagramChange`, of the site that had or has the label.
 Record changeRecord(const TriangleMesh& mesh, int label, DiagramChange change);
 /// `Partition`, of which the points are recorded and the faces are those of the input; `corners`
