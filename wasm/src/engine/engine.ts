@@ -96,12 +96,7 @@ export interface Engine {
     task: TaskOptions,
   ): Promise<Result>;
   /** Calls a function about a mesh; `object` is the mesh, or a diagram on it. */
-  callMesh<Result>(
-    name: string,
-    object: Handle,
-    args: readonly Argument[],
-    task: TaskOptions,
-  ): Promise<Result>;
+  callMesh: Engine['call'];
   openMesh(source: Triangles | FileInput, build: MeshBuild, task: TaskOptions): Promise<OpenedMesh>;
   /** `owner` is a mesh or a diagram on it. */
   openDiagram(

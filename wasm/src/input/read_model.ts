@@ -2,13 +2,12 @@
 //
 // From the files of a model to its triangles. What a format needs is loaded with its first file.
 
-import type { CompiledModule } from '../api/options.js';
 import { invalidFile } from '../api/errors.js';
 import { readGltf } from './gltf_reader.js';
 import type { MeshOrigin, MeshPart } from '../api/results.js';
 import { inSlices, type SlicedWork } from '../base/slices.js';
 import type { ReadModel, Triangles } from '../base/triangles.js';
-import type { GltfLimits, ModelFiles, TaskOptions } from '../api/options.js';
+import type { CompiledModule, GltfLimits, ModelFiles, TaskOptions } from '../api/options.js';
 import { decompressed } from './gltf_decompression.js';
 import {
   type GltfFile,

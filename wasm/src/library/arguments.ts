@@ -28,18 +28,18 @@ import {
   type WorstRegion,
 } from '../api/results.js';
 import type { Triangles } from '../base/triangles.js';
-import { gltfLimitNames } from '../api/options.js';
-import type {
-  Density,
-  GltfLimits,
-  MeshArrays,
-  MeshOptions,
-  MeshSource,
-  ModelFile,
-  ModelFiles,
-  SurfacePointsInput,
-  ThreeAttribute,
-  ThreeGeometry,
+import {
+  gltfLimitNames,
+  type Density,
+  type GltfLimits,
+  type MeshArrays,
+  type MeshOptions,
+  type MeshSource,
+  type ModelFile,
+  type ModelFiles,
+  type SurfacePointsInput,
+  type ThreeAttribute,
+  type ThreeGeometry,
 } from '../api/options.js';
 import { counted, integer } from '../base/sentences.js';
 
