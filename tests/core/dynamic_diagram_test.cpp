@@ -416,6 +416,32 @@ TEST(DynamicDiagram, TellsChainsOfTiesApartInAnyOrder) {
   EXPECT_TRUE(isUpToDate(mesh, dynamic, Metric::kExact));
 }
 
+/// A regular grid but for 1e-14, about which shares of edges round: whether a label owns part of an
+/// edge must not depend on which labels were found first to tie with others at its ends.
+TEST(DynamicDiagram, KnowsTheSameLabelsOnANearlyRegularGrid) {
+  for (const std::uint64_t seed : {2445, 3391, 3504}) {
+    shapes::Random offset(seed), random(seed);
+    shapes::Shape shape = shapes::grid(4, 4);
+    const auto any = [&] { return 1e-14 * offset.uniform(-1, 1); };
+    for (int v = 0; v < shape.vertexCount(); ++v)
+      shape.setPosition(v, shape.position(v) + Eigen::Vector3d{any(), any(), any()});
+    const TriangleMesh mesh = shape.mesh();
+    const auto vertexOrMidpoint = [&] {
+      SurfacePoint p{random.below(mesh.faceCount()), Eigen::Vector3d::Zero()};
+      for (int i = 0; i < 2; ++i) p.bary[random.below(3)] += 0.5;
+      return p;
+    };
+    std::vector<SurfacePoint> sites;
+    for (int i = 0; i < 9; ++i) sites.push_back(vertexOrMidpoint());
+    DynamicDiagram dynamic(mesh, sites);
+    for (int i = 0; i < 3; ++i) {
+      const int label = random.below(9);
+      dynamic.moveSite(label, vertexOrMidpoint());
+      EXPECT_TRUE(isUpToDate(mesh, dynamic, Metric::kExact)) << "seed " << seed << ", move " << i;
+    }
+  }
+}
+
 /// At the last vertex, site 1 ties with no other, but the first path found to it from site 2 is
 /// longer and ties with that of site 1.
 TEST(DynamicDiagram, GivesVerticesByFinalDistances) {
