@@ -171,8 +171,8 @@ Record topologyRecord(const PolygonTopology& topology) {
 
 class DiagramRecording final : public SlicedWork<Record> {
  public:
-  explicit DiagramRecording(const DiagramOnMesh& on)
-      : on_(on), points_(*on_.mesh, on_.diagram->points, true) {}
+  explicit DiagramRecording(DiagramOnMesh on)
+      : on_(std::move(on)), points_(*on_.mesh, on_.diagram->points, true) {}
 
   bool advance(long budget) override { return points_.step(budget); }
   double share() const override { return points_.progress(); }

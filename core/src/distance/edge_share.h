@@ -19,8 +19,6 @@ class EdgeShare {
   EdgeShare(int label, double atTail, double atTip)
       : label_(label), atTail_(atTail * atTail), atTip_(atTip * atTip) {}
 
-  int label() const { return label_; }
-
   void yieldTo(int other, double otherAtTail, double otherAtTip) {
     const double lagAtTail = atTail_ - otherAtTail * otherAtTail;
     const double lagAtTip = atTip_ - otherAtTip * otherAtTip;

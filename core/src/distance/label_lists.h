@@ -83,7 +83,7 @@ class LabelLists {
     indices_.insert(reached.vertex, index, reachedIndex);
   }
   void equalizeTies(int vertex) {
-    isEqualized_[vertex] = gvd::equalizeTies(distances_[vertex], bounds_.ties());
+    isEqualized_[vertex] = gvd::equalizeTies(distances_[vertex], bounds_.ties()) ? 1 : 0;
   }
   /// The same once labels were added since.
   void equalizeTiesAgain(int vertex) {
