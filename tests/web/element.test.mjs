@@ -114,6 +114,23 @@ function contextCount(viewer) {
   );
 }
 
+/** In the page, gives a function after which the library's worker stops when it is called next. */
+function prepareToStop() {
+  let library;
+  window.Worker = class extends Worker {
+    constructor(url, options) {
+      super(url, options);
+      if (String(url).endsWith('/package/worker.js')) library = this;
+    }
+  };
+  window.stopLibraryAtNextCall = () => {
+    library.postMessage = function () {
+      this.terminate();
+      setTimeout(() => this.dispatchEvent(new ErrorEvent('error', { message: 'out of order' })));
+    };
+  };
+}
+
 suite('plain pages', () => {
   test('one script is enough, under a strict content security policy', async () => {
     const scripts = [];
@@ -614,6 +631,44 @@ suite('attributes and events', () => {
       return names.filter((name) => name.endsWith('/scene_arrays.js')).length;
     });
     assert.equal(fetched, 1, 'only the worker needs that script');
+  });
+
+  test('a library that stops is followed by another: model, sites and density are there', async () => {
+    const viewer = await browser.open({
+      path: 'import-map.html',
+      prepare: (page) => page.addInitScript(prepareToStop),
+    });
+    const state = () =>
+      viewer.evaluate(({ sites, density }) => [...sites.face, ...sites.bary, ...(density ?? [])]);
+    const moveSite = () =>
+      viewer.evaluate((viewer) => viewer.moveSite(3, { face: 100, bary: [0.2, 0.3, 0.5] }));
+    await viewer.after('density-change', () =>
+      viewer.evaluate((viewer) => {
+        viewer.density = new Float64Array(viewer.mesh.info.vertices).fill(1).with(0, 4);
+      }),
+    );
+    const before = await state();
+    await viewer.evaluate((viewer) => {
+      window.stopLibraryAtNextCall();
+      viewer.reopened = new Promise((resolve) => viewer.addEventListener('load', resolve));
+    });
+    const { type, message } = await viewer.after('error', moveSite);
+    assert.equal(type, 'computefailure');
+    assert.match(message, /^The diagram cannot be made: .* has stopped: out of order/);
+    await viewer.evaluate(({ reopened }) => reopened.then(() => {}));
+    await viewer.settled();
+    assert.deepEqual(await state(), before);
+    assert.equal(await viewer.regionCount(), 12);
+    await viewer.after('diagram', moveSite);
+    assert.notDeepEqual(await state(), before);
+
+    // If the sites are those of the diagram that is shown, another one starts when they change.
+    await viewer.evaluate(() => window.stopLibraryAtNextCall());
+    await viewer.after('error', () =>
+      viewer.evaluate((viewer) => viewer.setAttribute('metric', 'dgpc')),
+    );
+    await viewer.after('diagram', () => viewer.set({ sites: 7 }));
+    assert.equal(await viewer.regionCount(), 7);
   });
 
   test('a site that is nowhere is refused, and the diagram is there as before', async () => {

@@ -26,13 +26,14 @@ export interface Opening {
   build: Pick<MeshOptions, 'maxEdge' | 'weld' | 'orientation' | 'minComponent'>;
   /** How sites are sampled; it may change while the model is opened. */
   siteSampling: () => SiteSampling;
-  /** Sites and density of another mesh of the same model, which are put where they were. */
+  /** Sites and density that the model has had before. */
   kept?: Kept | undefined;
 }
 
 /** What is kept may change while the model is opened. */
 interface Kept {
-  mesh: Mesh;
+  /** Another mesh that they are on: they are put where they were. Without it, they are as they are. */
+  mesh?: Mesh | undefined;
   /** In place of sampled sites; undefined if these are wanted. */
   sites: () => Sites | undefined;
   tints: () => Tints;
@@ -118,7 +119,7 @@ async function firstState(
       kept && before.sites
         ? await keptSites(mesh, kept.mesh, before.sites, task)
         : await sampleSites(mesh, wanted, task);
-    const tints = kept && before.tints && (await keptTints(mesh, kept.mesh, before.tints, task));
+    const tints = before.tints && (await keptTints(mesh, kept?.mesh, before.tints, task));
     await scene;
     const now = { sites: kept?.sites(), tints: kept?.tints() };
     if (shallowEqual(siteSampling(), wanted) && shallowEqual(now, before)) return { sites, tints };
@@ -128,12 +129,14 @@ async function firstState(
 /** The sites of a mesh before, where they were. */
 async function keptSites(
   mesh: Mesh,
-  before: Mesh,
+  before: Mesh | undefined,
   sites: Sites,
   task: TaskOptions,
 ): Promise<PointList> {
+  const points = surfacePointsOf(sites);
+  if (!before) return points;
   try {
-    const positions = await before.positionsOf(surfacePointsOf(sites));
+    const positions = await before.positionsOf(points);
     return await mesh.closestPoints(positions, task);
   } catch (error) {
     throw sentence('The sites cannot be kept', error);
@@ -143,10 +146,11 @@ async function keptSites(
 /** The painted density at the vertices: what it was at the closest points of the mesh before. */
 async function keptTints(
   mesh: Mesh,
-  before: Mesh,
+  before: Mesh | undefined,
   tints: Float32Array,
   { signal }: TaskOptions,
 ): Promise<Tints> {
+  if (!before) return tints;
   const { indices } = before;
   // Vertices that no triangle has may be anywhere.
   const places = mesh.positions.map((x) => (Number.isFinite(x) ? x : 0));

@@ -48,7 +48,10 @@ export class Session {
   readonly #cvt: CvtPlayer;
   readonly #opening = new RestartableTask();
   readonly sampling = new RestartableTask();
+  /** Undefined before the first model, and once the library has stopped. */
   #lease: LibraryLease | undefined;
+  /** How the present model was opened. */
+  #opened: { read: Reader; how: Opening } | undefined;
   #hasFailed = false;
   #status: Status = 'empty';
   #cvtStatus: CvtStatus = 'idle';
@@ -110,8 +113,18 @@ export class Session {
       const library = await this.#lease.library.catch((error) => {
         throw sentence('Nothing can be computed', error);
       });
-      this.#adopt(await openMesh(library, read, how, { signal, onProgress: this.#onProgress }));
+      const opened = await openMesh(library, read, how, { signal, onProgress: this.#onProgress });
+      this.#opened = { read, how };
+      this.#adopt(opened);
     });
+  }
+
+  /** Opens the model once more, as its library has stopped; its density stays, and so do sites. */
+  async #reopen(sites: () => Sites | undefined, siteSampling?: SiteSampling): Promise<boolean> {
+    if (!this.#opened) return false;
+    const { read, how } = this.#opened;
+    const sampled = siteSampling && { siteSampling: () => siteSampling };
+    return this.open(read, { ...how, ...sampled, kept: { sites, tints: () => this.tints } });
   }
 
   configure(settings: DiagramSettings): void {
@@ -123,6 +136,7 @@ export class Session {
   async sampleSites(siteSampling: SiteSampling): Promise<boolean> {
     const { mesh } = this;
     if (!mesh) return false;
+    if (!this.#lease) return this.#reopen(() => undefined, siteSampling);
     return this.#outcome(this.sampling, 'computefailure', async (signal) => {
       const task = { signal, onProgress: this.#onProgress };
       const sites = this.#history.createAll(await sampleSites(mesh, siteSampling, task));
@@ -172,7 +186,7 @@ export class Session {
     if (!this.#history.move(id, place, isSameStep)) return;
     this.#cvt.stop();
     this.#listener.sitesChanged();
-    this.#diagram.request(this.sites, { patient: true });
+    this.#request({ patient: true });
   }
 
   endMove(): void {
@@ -276,8 +290,9 @@ export class Session {
     this.#request();
   }
 
-  #request(): void {
-    this.#diagram.request(this.sites);
+  #request(options?: { patient: boolean }): void {
+    if (this.#lease) this.#diagram.request(this.sites, options);
+    else if (!this.#opening.isRunning) void this.#reopen(() => this.sites);
   }
 
   #requestFailed(request: DiagramRequest, error: unknown): void {
@@ -297,13 +312,13 @@ export class Session {
     if (this.#history.tints !== tints) this.#listener.densityChanged(this.#history.tints);
     this.#listener.settingsRestored(this.#diagram.settings);
     this.#listener.sitesChanged();
-    // A step that failed has taken the diagram with it.
-    if (!diagram && sites.length > 0 && failed.sites !== sites) this.#request();
+    // A step that failed has taken the diagram with it, and a library that has stopped the mesh.
+    if (!(diagram && this.#lease) && sites.length > 0 && failed.sites !== sites) this.#request();
   }
 
   #fail(error: unknown, type: FailureType = 'computefailure'): void {
     this.#hasFailed = true;
-    // A library that has stopped never answers again; the next model starts another.
+    // A library that has stopped never answers again; another one starts when it is needed.
     const { code } = ((error as Error).cause ?? error) as { code?: unknown };
     if (code === 'internal' || code === 'load-failed') {
       this.#lease?.discard();
