@@ -460,18 +460,26 @@ TEST(Repair, SaysWhatIsLeftWhereItMayNotAddMore) {
   EXPECT_THROW(repair(mesh, twice, Metric::kExact), Error);
 }
 
-/// A triangle on one edge of a cube, which is cut there: the diagram takes a site on one side of
-/// the cut to be on the other, too. Sites were added between the same two until two came to one
-/// place, and the user was told that the sites given were at fault.
-TEST(Repair, SaysThatSitesDoNotHelpAlongAnEdgeThatIsCut) {
-  shapes::Shape shape = shapes::cube();
-  shape.addTriangle(shape.triangles[0], shape.triangles[1], shape.addVertex({9, 9, 9}));
-  const auto mesh = shape.mesh();
-  ASSERT_EQ(mesh.repairs().nonManifoldEdges, 1);
-  const std::vector<SurfacePoint> sites = {centroid(2)};
-  const std::string error = errorOf(
-      [&] { repair(mesh, sites, Metric::kExact, {.maxAdded = 4000}); }, ErrorCode::kTooFewSites);
-  EXPECT_NE(error.find("triangles are too long: site"), std::string::npos) << error;
+/// A triangle on one edge of a cube, or of a plane, which is cut there. Both sides of the cut have
+/// the same ends, so a diagram took a site on one side to be on the other, too: regions had a
+/// second part across the cut, and however many sites were added, the dual was not valid.
+TEST(Repair, AddsSitesAlongAnEdgeThatIsCut) {
+  shapes::Shape cube = shapes::cube(), plane = shapes::grid(10, 10);
+  cube.addTriangle(cube.triangles[0], cube.triangles[1], cube.addVertex({9, 9, 9}));
+  plane.addTriangle(60, 61, plane.addVertex({0.5, 0.5, 0.1}));
+  for (const shapes::Shape& shape : {cube, plane}) {
+    const auto mesh = shape.mesh({.minComponent = 2});
+    ASSERT_EQ(mesh.repairs().nonManifoldEdges, 1);
+    ASSERT_EQ(mesh.topology().components, 1);
+    for (const Metric metric : {Metric::kExact, Metric::kDgpc})
+      for (const int detail : {0, 1, 3}) {
+        const auto sites = sampleUniform(mesh, 20, 1);
+        const RepairedSites repaired = repair(mesh, sites, metric, {.diagram = {.detail = detail}});
+        EXPECT_TRUE(hasTheTopologyOf(mesh, dualMesh(mesh, repaired.sites, repaired.diagram)));
+        for (const RegionPatch& region : partition(mesh, repaired.diagram).regions)
+          EXPECT_EQ(region.components, 1);
+      }
+  }
 }
 
 /// Around the tips of spikes, sites were added ever nearer to the tip, until 1000 did not suffice

@@ -146,9 +146,9 @@ struct RepairedSites {
 /// the diagram and these insertions, plus a `findViolations` per round.
 ///
 /// Throws `Error(kTooFewSites)`, naming the first violation that is left, if more than `maxAdded`
-/// would be needed, or if an added site has no region: then triangles are too long (`subdivide`),
-/// as around a single edge that is cut. `Error(kInvalidArgument)` if `maxAdded` is negative, and as
-/// `repairingSites` and `DynamicDiagram` do.
+/// would be needed, or if an added site has no region: then triangles are too long (`subdivide`).
+/// `Error(kInvalidArgument)` if `maxAdded` is negative, and as `repairingSites` and
+/// `DynamicDiagram` do.
 RepairedSites repair(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,
                      const RepairOptions& options = {});
 /// The same in steps; the mesh must outlive them.

@@ -51,7 +51,8 @@ inline LabelledDistance nearestOf(std::span<const LabelledDistance> sites) {
 ///  - it is the nearest site at one of the corners,
 ///  - it lies in the face, or
 ///  - it is the nearest site somewhere on a side of the face, with squared distances interpolated
-///    linearly between the ends of the side, as diagrams are traced.
+///    linearly between the ends of the side, as diagrams are traced. (Not if the side is one of
+///    the two of a single edge that is cut: these share their ends, but not what is near them.)
 ///
 /// With `kDgpc`, the distance at a corner that another site owns may be extended from the vertices
 /// around it instead of being propagated to it.

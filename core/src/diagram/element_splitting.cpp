@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "gvd/diagram.h"
+#include "mesh/surface_geometry.h"
 
 namespace gvd {
 
@@ -72,7 +73,7 @@ bool ElementSplitting::splitBatch(long& budget) {
 }
 
 /// Adds the nodes in the middle of the sides to split. At each, requires the near labels that are
-/// known at both ends of the side.
+/// known at both ends of the side; on a slit, those that are known at the third corner, too.
 void ElementSplitting::addMiddles(int element) {
   const auto lengths = elements_.sideLengths(mesh_, element);
   const auto known = [&](int corner) { return nodes_.labels(node(element, corner)); };
@@ -83,9 +84,12 @@ void ElementSplitting::addMiddles(int element) {
     const int next = cornerAfter(i);
     middle[i] = isSideSplit(element, i, lengths[i]) ? middleOf(element, i) : -1;
     if (middle[i] < 0) continue;
+    const int meshSide = elements_.meshHalfedge(3 * element + i);
+    const bool isSlit = meshSide >= 0 && isSideOfSlit(mesh_, meshSide);
     const SurfacePoint p{elements_.face[element], (corners.col(i) + corners.col(next)) / 2};
     for (const auto& [label, isKnown] : near)
-      if (isKnown[i] && isKnown[next]) required_.add(middle[i], label, p);
+      if (isKnown[i] && isKnown[next] && (!isSlit || isKnown[cornerBefore(i)]))
+        required_.add(middle[i], label, p);
   }
 }
 

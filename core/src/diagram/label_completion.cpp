@@ -107,6 +107,8 @@ bool LabelCompletion::completeAcross(int element, int side) {
     atTip = complex_.nodes().labels(tip);
     changed = true;
   }
+  const int meshSide = complex_.boundaryHalfedge(3 * element + side);
+  if (meshSide >= 0 && isSideOfSlit(complex_.mesh(), meshSide)) return changed;
   for (const LabelledDistance& d : atTail) {
     if (findLabel(atApex, d.label)) continue;
     const LabelledDistance* const other = findLabel(atTip, d.label);

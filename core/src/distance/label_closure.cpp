@@ -5,6 +5,7 @@
 
 #include "distance/edge_share.h"
 #include "distance/labelled_distances.h"
+#include "mesh/surface_geometry.h"
 
 namespace gvd {
 
@@ -87,6 +88,7 @@ void LabelClosure::closeAround(int vertex, int label) {
 /// Requires a label known at both ends of a halfedge at its apex if the label owns part of the
 /// edge.
 void LabelClosure::requireAcross(int h, int label) {
+  if (isSideOfSlit(mesh_, h)) return;
   if (ownsPartOfEdge(label, h)) owners_.add(TriangleMesh::faceOf(h), label, true, found_);
 }
 

@@ -22,6 +22,14 @@ inline void prefetchFan(const TriangleMesh& mesh, int vertex) {
   for (const int h : mesh.fan(vertex)) prefetch(mesh.face(TriangleMesh::faceOf(h)));
 }
 
+/// Whether a halfedge is one side of a slit: a single edge that is cut, around both ends of which
+/// the surface goes on. The other side has the same ends, and so the same distances there, which
+/// tell nothing of the side between them: what is near it on one side may be far from it on the
+/// other.
+inline bool isSideOfSlit(const TriangleMesh& mesh, int h) {
+  return mesh.twin(h) < 0 && mesh.tip(mesh.outgoing(mesh.tip(h))) == mesh.tail(h);
+}
+
 /// The squared edge lengths of a face; entry i is of side i (corner i to the next).
 inline std::array<double, 3> squaredSides(const TriangleMesh& mesh, int face) {
   std::array<double, 3> squared;
