@@ -370,6 +370,11 @@ test('what is not points or a mesh, but has some', async () => {
       /^the geometry's position\.count is -1, not an integer /,
     ],
     [new Mesh(), /this is of type Mesh: pass its geometry$/],
+    // Of these, JSON would not have made objects.
+    [
+      { positions: [0, 0, 0, 1, 0, 0, 0, 1, 0], indices: BigInt64Array.of(0n, 1n, 2n) },
+      /^indices is of type BigInt64Array, not an array of numbers$/,
+    ],
   ])
     await assert.rejects(gvd.mesh(source), { code: 'invalid-argument', message });
 });

@@ -106,7 +106,8 @@ export function toInt32(name: string, values: ArrayLike<number>): Int32Array<Arr
 function requireNumbers(name: string, values: ArrayLike<number>): void {
   const isTyped = ArrayBuffer.isView(values) && 'length' in values;
   if (!(isTyped || Array.isArray(values)) || isBigInts(values)) {
-    const isStringified = isObject(values) && '0' in values; // JSON has no typed arrays
+    // JSON has no typed arrays.
+    const isStringified = isObject(values) && '0' in values && !isBigInts(values);
     throw invalidArgument(
       `${name} is ${show(values)}, not an array of numbers` +
         (isStringified ? ': pointsJson gives points a form for JSON' : ''),
