@@ -150,8 +150,8 @@ struct DiagramAccuracy {
 };
 
 /// Compares a diagram with its distances at `samples` points. O(F), then a query of the distances
-/// per point. Throws `Error(kInvalidArgument)` if `samples` is not positive, or if mesh, distances
-/// and diagram do not belong together.
+/// per point. Throws `Error(kInvalidArgument)` if `samples` is not positive, the distances are
+/// those of another mesh, or the diagram has another number of faces.
 DiagramAccuracy accuracy(const TriangleMesh& mesh, const DistanceField& distances,
                          const Diagram& diagram, int samples = 1000);
 

@@ -74,9 +74,10 @@ struct PoissonDisk {
 /// Random points, no two of them nearer to each other than `radius` (geodesic, as for
 /// `sampleFarthest`), until hardly any more fit; then vertices are added, so that by exact
 /// distances no vertex is farther than `radius` from a point. How near points are to each other is
-/// measured as `Metric::kDgpc` does: exactly where straight lines connect, and with errors where
-/// shortest paths bend at vertices. On long thin triangles, such as those of mechanical parts, a
-/// distance may be wrong by half, so by exact distances some points are nearer than `radius`.
+/// measured as `Metric::kDgpc` does: on well shaped triangles exactly where straight lines connect,
+/// and with errors where shortest paths bend at vertices. On long thin triangles, such as those of
+/// mechanical parts, a distance may come out several times too long, also along straight lines, so
+/// by exact distances some points are much nearer than `radius`.
 /// Throws `Error(kInvalidArgument)` if the radius is not positive and finite. About 0.7 · area /
 /// radius² points; each takes time in proportion to the vertices within `radius` of it, and each
 /// vertex that is added, a pass over all vertices.
