@@ -86,10 +86,11 @@ void LabelClosure::closeAround(int vertex, int label) {
 }
 
 /// Requires a label known at both ends of a halfedge at its apex if the label owns part of the
-/// edge.
+/// edge. Sides of a slit are left out: paths from the other side lead around its ends, and a label
+/// that is nearest at an end is known in the faces there anyway.
 void LabelClosure::requireAcross(int h, int label) {
-  if (isSideOfSlit(mesh_, h)) return;
-  if (ownsPartOfEdge(label, h)) owners_.add(TriangleMesh::faceOf(h), label, true, found_);
+  if (ownsPartOfEdge(label, h) && !isSideOfSlit(mesh_, h))
+    owners_.add(TriangleMesh::faceOf(h), label, true, found_);
 }
 
 /// Whether a label may be nearest anywhere on an edge by interpolation. Competes only with owners
