@@ -26,7 +26,7 @@ export interface CvtIteration {
 
 /** The `detail` of this element's events, by their name. */
 export interface ViewerEvents {
-  /** A model was opened. */
+  /** A model was opened, or opened once more: built otherwise, or since the library had stopped. */
   load: { name: string; info: MeshInfo; parts: readonly MeshPart[] };
   /** Something failed, in a sentence; everything is as it was before. */
   error: { type: FailureType; message: string; cause?: unknown };
