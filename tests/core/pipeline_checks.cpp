@@ -89,8 +89,7 @@ std::string complaintAboutParts(const TriangleMesh& mesh, std::span<const Surfac
   if (metric == Metric::kExact)
     if (const auto result = haveDistancesOfOneSiteEach(mesh, sites, *traced.field); !result)
       return complaint("distances", result);
-  constexpr int kSamples = 5;  // few, as each costs a search, which is long where needles are
-  const auto [mislabelled, maxEdge] = accuracy(mesh, *traced.field, traced.diagram, kSamples);
+  const auto [mislabelled, maxEdge] = accuracy(mesh, *traced.field, traced.diagram, 20);
   if (!(mislabelled >= 0 && mislabelled <= 1 && maxEdge > 0 && maxEdge <= 1))
     return "accuracy: " + std::to_string(mislabelled) + " and " + std::to_string(maxEdge);
   const Partition parts = partition(mesh, traced.diagram);

@@ -48,10 +48,11 @@ export class Session {
   readonly #cvt: CvtPlayer;
   readonly #opening = new RestartableTask();
   readonly sampling = new RestartableTask();
-  /** Undefined before the first model, and once the library has stopped. */
   #lease: LibraryLease | undefined;
   /** How the present model was opened. */
   #opened: { read: Reader; how: Opening } | undefined;
+  /** Whether the library of the present mesh has stopped: requests open the model once more. */
+  #hasStopped = false;
   #hasFailed = false;
   #status: Status = 'empty';
   #cvtStatus: CvtStatus = 'idle';
@@ -114,12 +115,13 @@ export class Session {
         throw sentence('Nothing can be computed', error);
       });
       const opened = await openMesh(library, read, how, { signal, onProgress: this.#onProgress });
-      this.#opened = { read, how };
+      this.#opened = { read, how: { ...how, kept: undefined } };
+      this.#hasStopped = false;
       this.#adopt(opened);
     });
   }
 
-  /** Opens the model once more, as its library has stopped; its density stays, and so do sites. */
+  /** Opens the model once more, in another library, with its density; without sites, samples some. */
   async #reopen(sites: () => Sites | undefined, siteSampling?: SiteSampling): Promise<boolean> {
     if (!this.#opened) return false;
     const { read, how } = this.#opened;
@@ -136,7 +138,7 @@ export class Session {
   async sampleSites(siteSampling: SiteSampling): Promise<boolean> {
     const { mesh } = this;
     if (!mesh) return false;
-    if (!this.#lease) return this.#reopen(() => undefined, siteSampling);
+    if (this.#hasStopped) return this.#reopen(() => undefined, siteSampling);
     return this.#outcome(this.sampling, 'computefailure', async (signal) => {
       const task = { signal, onProgress: this.#onProgress };
       const sites = this.#history.createAll(await sampleSites(mesh, siteSampling, task));
@@ -291,7 +293,8 @@ export class Session {
   }
 
   #request(options?: { patient: boolean }): void {
-    if (this.#lease) this.#diagram.request(this.sites, options);
+    if (!this.#hasStopped) this.#diagram.request(this.sites, options);
+    // A model that is being opened takes the sites as they are in the end.
     else if (!this.#opening.isRunning) void this.#reopen(() => this.sites);
   }
 
@@ -313,7 +316,8 @@ export class Session {
     this.#listener.settingsRestored(this.#diagram.settings);
     this.#listener.sitesChanged();
     // A step that failed has taken the diagram with it, and a library that has stopped the mesh.
-    if (!(diagram && this.#lease) && sites.length > 0 && failed.sites !== sites) this.#request();
+    const isGone = !diagram || this.#hasStopped;
+    if (isGone && sites.length > 0 && failed.sites !== sites) this.#request();
   }
 
   #fail(error: unknown, type: FailureType = 'computefailure'): void {
@@ -321,6 +325,7 @@ export class Session {
     // A library that has stopped never answers again; another one starts when it is needed.
     const { code } = ((error as Error).cause ?? error) as { code?: unknown };
     if (code === 'internal' || code === 'load-failed') {
+      this.#hasStopped = true;
       this.#lease?.discard();
       this.#lease = undefined;
     }
