@@ -4,10 +4,13 @@
 // along a strip: a label then owns part of one after the other.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <numbers>
 #include <vector>
 
+#include "base/sliced_loop.h"
 #include "distance/exact/revisit_filter.h"
+#include "distance/site_distances.h"
 #include "gvd/diagram.h"
 #include "gvd/geodesic.h"
 #include "gvd/sampling.h"
@@ -132,6 +135,25 @@ TEST(Growth, TwinsAroundAVertexAreFoundInShortLists) {
   for (int h = 0; h < mesh.halfedgeCount(); ++h) twins.add(h, tail, [](int) { return true; });
   EXPECT_LT(looks, 8 * mesh.halfedgeCount());
   for (int h = 0; h < mesh.halfedgeCount(); ++h) EXPECT_EQ(twins[h], mesh.twin(h));
+}
+
+/// Lines from a point of a spike of three needles wind around it, in turn with lines over its base.
+/// A regular choice of the windows that are followed back never met those that wind: 500,000
+/// windows spread.
+TEST(Growth, SearchesFollowBackWhatWindsAroundASpike) {
+  Shape spike;
+  for (const Eigen::Vector3d& p : {Eigen::Vector3d{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1e11, 0, 0}})
+    spike.addVertex(p);
+  for (const std::array<int, 3>& t : {std::array{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}})
+    spike.addTriangle(t[0], t[1], t[2]);
+  const TriangleMesh mesh = spike.mesh();
+  SiteDistances distances(mesh, Metric::kExact,
+                          std::vector<SurfacePoint>{{0, {0, 0, 1}}, {1, {0, 0, 1}}});
+  long budget = kUnlimited;
+  ASSERT_TRUE(distances.step(budget));
+  long units = 1000;
+  distances.nearest({1, {0.7, 0.2, 0.1}}, units);
+  EXPECT_GT(units, 0);
 }
 
 }  // namespace

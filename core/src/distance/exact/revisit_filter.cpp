@@ -22,10 +22,12 @@ RevisitFilter::RevisitFilter(const TriangleMesh& mesh) : mesh_(mesh) {
 }
 
 bool RevisitFilter::dropsSuspicious(const Window& w, int halfedge) {
-  if ((backtracksLeft_ += kBacktracksPerWindow) <= 0) return false;
+  if (backtracksLeft_ <= 0 && random_() % static_cast<unsigned long>(lastBacktracks_) != 0)
+    return false;
   const long before = crossedBack_;
   const bool isDropped = entersAgain(w, halfedge);
-  backtracksLeft_ -= crossedBack_ - before;
+  lastBacktracks_ = crossedBack_ - before;
+  backtracksLeft_ -= lastBacktracks_;
   return isDropped;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -17,7 +18,9 @@ namespace gvd::exact {
 ///
 /// To look at every window would take longer than to let it spread. So windows are looked at where
 /// they enter needles, and with the labels that cross far more faces than usual; and no longer, on
-/// average, than it takes to spread them: what winds is found within a few turns.
+/// average, than it takes to spread them: what winds is found within a few turns. Chance chooses
+/// the windows: those that wind come in turn with others, and a regular choice may always miss
+/// them.
 class RevisitFilter {
  public:
   explicit RevisitFilter(const TriangleMesh& mesh);
@@ -28,6 +31,8 @@ class RevisitFilter {
     crossedCount_ = 0;
     isSuspicious_ = false;
     backtracksLeft_ = isSearch ? 0 : kFirstBacktracks;
+    lastBacktracks_ = 1;
+    random_.seed();
   }
   /// Notes that the label crosses a face, having reached some vertices so far.
   void noteCrossing(size_t reachedCount) {
@@ -45,11 +50,10 @@ class RevisitFilter {
   /// A label that crosses more halfedges per vertex than this may wind around something. Over a
   /// scanned surface, one label crosses 3.5 per vertex.
   static constexpr size_t kMostCrossingsPerVertex = 30;
-  /// Windows may be followed back across so many faces in all, and across so many more for each
-  /// window that is looked at. The first number is large enough for every label to be looked at
-  /// throughout but on meshes with thousands of needles beside each other, where millions of
-  /// windows tie.
-  static constexpr long kFirstBacktracks = 1 << 17, kBacktracksPerWindow = 1;
+  /// All windows are followed back until they were so across so many faces in all: enough for every
+  /// label to be looked at throughout but on meshes with thousands of needles beside each other,
+  /// where millions of windows tie.
+  static constexpr long kFirstBacktracks = 1 << 17;
 
   bool dropsSuspicious(const Window& w, int halfedge);
   bool entersAgain(const Window& w, int halfedge);
@@ -61,9 +65,11 @@ class RevisitFilter {
   std::vector<char> isNeedle_;
   size_t crossedCount_ = 0;  ///< of batches
   bool isSuspicious_ = false;
-  long crossedBack_ = 0;  ///< what `takeCrossedBack` returns next
-  /// Faces across which windows of the label may still be followed back.
-  long backtracksLeft_ = 0;
+  long crossedBack_ = 0;     ///< what `takeCrossedBack` returns next
+  long backtracksLeft_ = 0;  ///< of the first ones
+  /// Faces across which the last window was followed back. One in so many windows comes next.
+  long lastBacktracks_ = 1;
+  std::minstd_rand random_;  ///< the same numbers for each label
 };
 
 }  // namespace gvd::exact
