@@ -669,6 +669,44 @@ suite('attributes and events', () => {
     );
     await viewer.after('diagram', () => viewer.set({ sites: 7 }));
     assert.equal(await viewer.regionCount(), 7);
+
+    // Or when the mesh is to be made otherwise: its sites and density come from one like before.
+    await viewer.evaluate(() => window.stopLibraryAtNextCall());
+    await viewer.after('error', () =>
+      viewer.evaluate((viewer) => viewer.setAttribute('metric', 'dgpc')),
+    );
+    const most = await viewer.evaluate(
+      (viewer) =>
+        new Promise((resolve, reject) => {
+          const { vertices } = viewer.mesh.info;
+          viewer.addEventListener('error', ({ detail }) => reject(detail));
+          viewer.addEventListener('diagram', () => {
+            if (viewer.mesh.info.vertices < vertices) resolve(Math.max(...viewer.density));
+          });
+          viewer.setAttribute('weld', '0.03');
+        }),
+    );
+    assert.ok(most > 1, `the density is at most ${most}`);
+    assert.equal(await viewer.regionCount(), 7);
+  });
+
+  test('where a script cannot be loaded that reads a model, the present one stays', async () => {
+    const viewer = await browser.open({
+      path: 'import-map.html',
+      complaint: /ERR_FAILED/,
+      prepare: (page) => page.context().route('**/obj_reader.js', (route) => route.abort()),
+    });
+    await viewer.after('diagram', () =>
+      viewer.evaluate((viewer) => viewer.addSite({ face: 100, bary: [0.2, 0.3, 0.5] })),
+    );
+    const { type, message } = await viewer.after('error', () =>
+      viewer.evaluate((viewer) => (viewer.src = '/pentagon.obj')),
+    );
+    assert.equal(type, 'loadfailure');
+    assert.match(message, /^pentagon\.obj cannot be opened: a script cannot be loaded: /);
+    await viewer.evaluate(({ mesh }) => mesh.curvatureDensity());
+    await viewer.after('diagram', () => viewer.evaluate((viewer) => viewer.undo()));
+    assert.equal(await viewer.regionCount(), 12);
   });
 
   test('a site that is nowhere is refused, and the diagram is there as before', async () => {

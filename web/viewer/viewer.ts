@@ -144,10 +144,13 @@ export class Viewer implements Workpiece {
 
   /** Opens the model anew, made otherwise of its files. The sites and density that it has stay. */
   async rebuild(): Promise<void> {
-    if (!this.#read) return;
     const { attributes, session } = this;
     session.pauseCvt(); // or the sites to keep would not come to rest
-    const mesh = this.#read === this.#readShown ? session.mesh : undefined;
+    const isShown = this.#read === this.#readShown;
+    // A mesh whose library has stopped cannot tell where its sites and density are.
+    if (isShown && session.hasStopped && !(await session.reopen())) return;
+    if (!this.#read) return;
+    const mesh = isShown ? session.mesh : undefined;
     const sites = () => (attributes.differ(samplingAttributes) ? undefined : session.sites);
     const kept = mesh && { mesh, sites, tints: () => session.tints };
     await this.#open(this.#read, { ...attributes.opening, kept });

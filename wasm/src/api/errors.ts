@@ -22,7 +22,7 @@ export type ErrorCode =
   | 'disposed'
   /** There is not enough memory; the library is still usable. */
   | 'out-of-memory'
-  /** A WebAssembly module or the worker cannot be loaded. */
+  /** A WebAssembly module, the worker or another script of the library cannot be loaded. */
   | 'load-failed'
   /** A fault of this library, or its worker has stopped; load it again. */
   | 'internal';

@@ -31,6 +31,16 @@ export async function compile(
   );
 }
 
+/** Waits for the import of a script of this library, or throws 'load-failed'. */
+export async function imported<Script>(script: Promise<Script>): Promise<Script> {
+  try {
+    return await script;
+  } catch (cause) {
+    const why = (cause as Error).message;
+    throw new GeodesicVoronoiError('load-failed', `a script cannot be loaded: ${why}`, { cause });
+  }
+}
+
 /**
  * Compiles or instantiates a module while a timer keeps the event loop busy. With nothing else to wait
  * for, Node 20 blocks the thread until its background tasks end: for ever, if one of them, which

@@ -4,6 +4,7 @@
 // KHR_meshopt_compression: the decoders' output becomes one more buffer, to which buffer views and
 // accessors are redirected. Everything else stays as it is.
 
+import { imported } from '../base/compile.js';
 import type { DracoMesh } from './draco.js';
 import {
   dracoExtension,
@@ -60,7 +61,7 @@ async function decompressViews(data: GltfData): Promise<void> {
   for (const [i, view] of data.list('bufferViews').entries()) {
     const name = meshoptExtensions.find((extension) => extensionOf(view, extension));
     if (!name) continue;
-    const { decodeMeshopt } = await import('./meshopt.js');
+    const { decodeMeshopt } = await imported(import('./meshopt.js'));
     const content = await decodeMeshopt(extensionOf(view, name)!, data, `buffer view ${i}`);
     Object.assign(view, data.add(content));
     delete (view.extensions as JsonObject)[name];
@@ -79,7 +80,7 @@ async function decompressPrimitives(
       if (!compression) continue;
       const where = `primitive ${p} of mesh ${m}`;
       const view = data.entry('bufferViews', compression.bufferView, `the bufferView of ${where}`);
-      const { openDraco } = await import('./draco.js');
+      const { openDraco } = await imported(import('./draco.js'));
       const draco = await openDraco(await dracoModule(), data.bytesOf(view, where), where);
       Object.assign(primitive, {
         attributes: decompressedAttributes(primitive, compression, draco, data, where),

@@ -5,6 +5,7 @@
 import { invalidFile } from '../api/errors.js';
 import { readGltf } from './gltf_reader.js';
 import type { MeshOrigin, MeshPart } from '../api/results.js';
+import { imported } from '../base/compile.js';
 import { inSlices, type SlicedWork } from '../base/slices.js';
 import type { ReadModel, Triangles } from '../base/triangles.js';
 import type { CompiledModule, GltfLimits, ModelFiles, TaskOptions } from '../api/options.js';
@@ -61,7 +62,7 @@ export async function modelIn(
   const found = await modelAmong(files, wanted);
   const isArchive = found.format === 'zip';
   const model = isArchive
-    ? await modelAmong((await import('./zip.js')).zipFiles(found.bytes, task), wanted)
+    ? await modelAmong((await imported(import('./zip.js'))).zipFiles(found.bytes, task), wanted)
     : found;
   const { format } = model;
   // There are zips that hold themselves.
@@ -77,7 +78,7 @@ export async function modelsIn(files: ModelFiles, task: TaskOptions): Promise<st
   if (models.length > 0) return models;
   const { file, format, bytes } = await modelAmong(files, undefined);
   if (format !== 'zip') return [file];
-  return new FileSet((await import('./zip.js')).zipFiles(bytes, task)).models();
+  return new FileSet((await imported(import('./zip.js'))).zipFiles(bytes, task)).models();
 }
 
 async function modelAmong(
@@ -111,15 +112,15 @@ export async function readModel(
       return { triangles, parts, notes, origin: { file, format } };
     }
     case 'OBJ':
-      return plain((await import('./obj_reader.js')).readObj(bytes, sizes), 'OBJ');
+      return plain((await imported(import('./obj_reader.js'))).readObj(bytes, sizes), 'OBJ');
     case 'OFF':
-      return plain((await import('./off_reader.js')).readOff(bytes, sizes), 'OFF');
+      return plain((await imported(import('./off_reader.js'))).readOff(bytes, sizes), 'OFF');
     case 'PLY':
-      return plain((await import('./ply_reader.js')).readPly(bytes, sizes), 'PLY');
+      return plain((await imported(import('./ply_reader.js'))).readPly(bytes, sizes), 'PLY');
     case 'binary STL':
-      return plain((await import('./stl_reader.js')).readBinaryStl(bytes, sizes), 'STL');
+      return plain((await imported(import('./stl_reader.js'))).readBinaryStl(bytes, sizes), 'STL');
     case 'text STL':
-      return plain((await import('./stl_reader.js')).readTextStl(bytes, sizes), 'STL');
+      return plain((await imported(import('./stl_reader.js'))).readTextStl(bytes, sizes), 'STL');
   }
 
   async function plain(work: SlicedWork<ReadModel>, format: MeshOrigin['format']): Promise<Model> {

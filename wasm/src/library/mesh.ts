@@ -3,6 +3,7 @@
 // A mesh as callers hold it: it checks what it is given, and leaves the work to an engine.
 
 import { isObject, show, toInt32, toOptions, toTask, toTaskOptions } from '../base/checks.js';
+import { imported } from '../base/compile.js';
 import { EngineDiagram } from './diagram.js';
 import {
   cvtArguments,
@@ -160,7 +161,7 @@ export class EngineMesh implements Mesh {
     const cut = this.#cut;
     if (cut && 3 * (file.faces ?? 0) === cut.whole.length && 'face' in given) {
       requireFaces(given, cut.whole.length / 3);
-      return (await import('./points_on_parts.js')).pointsOnParts(given, cut);
+      return (await imported(import('./points_on_parts.js'))).pointsOnParts(given, cut);
     }
     requireSameMesh(file, this.info);
     const points = await this.#object.onSurface(given, task);

@@ -51,7 +51,7 @@ export class Session {
   #lease: LibraryLease | undefined;
   /** How the present model was opened. */
   #opened: { read: Reader; how: Opening } | undefined;
-  /** Whether the library of the present mesh has stopped: requests open the model once more. */
+  /** See `hasStopped`. */
   #hasStopped = false;
   #hasFailed = false;
   #status: Status = 'empty';
@@ -106,12 +106,18 @@ export class Session {
     return this.#history.isMoving;
   }
 
+  /** Whether the library of the present mesh has stopped: requests open the model once more. */
+  get hasStopped(): boolean {
+    return this.#hasStopped;
+  }
+
   /** Opens a model with so many sites sampled; resolves to whether it is there now. */
   open(read: Reader, how: Opening): Promise<boolean> {
     this.#hasFailed = false;
     return this.#outcome(this.#opening, 'loadfailure', async (signal) => {
-      this.#lease ??= new LibraryLease();
-      const library = await this.#lease.library.catch((error) => {
+      const lease = (this.#lease ??= new LibraryLease());
+      const library = await lease.library.catch((error) => {
+        if (lease === this.#lease) this.#discardLibrary();
         throw sentence('Nothing can be computed', error);
       });
       const opened = await openMesh(library, read, how, { signal, onProgress: this.#onProgress });
@@ -121,12 +127,13 @@ export class Session {
     });
   }
 
-  /** Opens the model once more, in another library, with its density; without sites, samples some. */
-  async #reopen(sites: () => Sites | undefined, siteSampling?: SiteSampling): Promise<boolean> {
+  /** Opens the model once more, in another library, with its density, and its sites or new ones. */
+  async reopen(sampling?: SiteSampling): Promise<boolean> {
     if (!this.#opened) return false;
     const { read, how } = this.#opened;
-    const sampled = siteSampling && { siteSampling: () => siteSampling };
-    return this.open(read, { ...how, ...sampled, kept: { sites, tints: () => this.tints } });
+    const siteSampling = sampling ? () => sampling : how.siteSampling;
+    const sites = () => (sampling ? undefined : this.sites);
+    return this.open(read, { ...how, siteSampling, kept: { sites, tints: () => this.tints } });
   }
 
   configure(settings: DiagramSettings): void {
@@ -138,7 +145,7 @@ export class Session {
   async sampleSites(siteSampling: SiteSampling): Promise<boolean> {
     const { mesh } = this;
     if (!mesh) return false;
-    if (this.#hasStopped) return this.#reopen(() => undefined, siteSampling);
+    if (this.#hasStopped) return this.reopen(siteSampling);
     return this.#outcome(this.sampling, 'computefailure', async (signal) => {
       const task = { signal, onProgress: this.#onProgress };
       const sites = this.#history.createAll(await sampleSites(mesh, siteSampling, task));
@@ -295,7 +302,7 @@ export class Session {
   #request(options?: { patient: boolean }): void {
     if (!this.#hasStopped) this.#diagram.request(this.sites, options);
     // A model that is being opened takes the sites as they are in the end.
-    else if (!this.#opening.isRunning) void this.#reopen(() => this.sites);
+    else if (!this.#opening.isRunning) void this.reopen();
   }
 
   #requestFailed(request: DiagramRequest, error: unknown): void {
@@ -322,14 +329,18 @@ export class Session {
 
   #fail(error: unknown, type: FailureType = 'computefailure'): void {
     this.#hasFailed = true;
-    // A library that has stopped never answers again; another one starts when it is needed.
     const { code } = ((error as Error).cause ?? error) as { code?: unknown };
-    if (code === 'internal' || code === 'load-failed') {
+    if (code === 'internal') {
       this.#hasStopped = true;
-      this.#lease?.discard();
-      this.#lease = undefined;
+      this.#discardLibrary();
     }
     this.#listener.failed(type, error);
+  }
+
+  /** A library that has stopped never answers again; another one starts when it is needed. */
+  #discardLibrary(): void {
+    this.#lease?.discard();
+    this.#lease = undefined;
   }
 
   #statusNow(): Status {
