@@ -154,7 +154,7 @@ function showSites(viewer: GeodesicVoronoiElement, text: string): void {
   try {
     const sites = decodeSites(text);
     const faces = viewer.info?.inputFaces ?? 0;
-    if (sites.face.some((face) => face >= faces)) throw new RangeError();
+    if (sites.face.some((face) => face < 0 || face >= faces)) throw new RangeError();
     viewer.sites = sites;
   } catch {
     showError('The link is damaged: its sites cannot be read. Others have been placed.');
@@ -187,7 +187,9 @@ function decodeSites(text: string): SurfacePoints {
   for (let i = 0; i < count; ++i) {
     face[i] = bytes.getUint32(bytesPerSite * i);
     const [a, b] = [0, 1].map((k) => bytes.getUint16(bytesPerSite * i + 4 + 2 * k) / unit);
-    bary.set([a, b, Math.max(0, 1 - a - b)], 3 * i);
+    // Both may have been rounded up.
+    const rest = 1 - a;
+    bary.set([a, Math.min(b, rest), Math.max(0, rest - b)], 3 * i);
   }
   return { face, bary };
 }
