@@ -135,6 +135,33 @@ suite('by fingers', () => {
     assert.equal(isMarked, false, 'the focus is not shown as by keys');
   });
 
+  test('a pinch with the brush paints nothing, and a stroke that is cancelled goes', async () => {
+    const isPainted = () => viewer.evaluate(({ density }) => density !== undefined);
+    await viewer.evaluate((viewer) => viewer.setAttribute('tool', 'density'));
+    const at = await viewer.freePlace();
+    await viewer.after('camera-change', async () => {
+      await touch('touchStart', at);
+      await touch('touchStart', at, shifted(at, 40, 50));
+      for (const way of [10, 20]) await touch('touchMove', at, shifted(at, 40 + way, 50 + way));
+      await touch('touchEnd');
+    });
+    assert.equal(await isPainted(), false);
+    const there = await viewer.freePlace();
+    await touch('touchStart', there);
+    await touch('touchMove', shifted(there, 10, 0));
+    await viewer.evaluate((viewer) => viewer.cancel());
+    await touch('touchEnd');
+    assert.equal(await isPainted(), false);
+    await viewer.after('density-change', async () => {
+      await touch('touchStart', there);
+      await touch('touchEnd');
+    });
+    assert.equal(await isPainted(), true);
+    await viewer.after('density-change', () => viewer.evaluate((viewer) => viewer.undo()));
+    assert.equal(await isPainted(), false, 'one stroke was recorded');
+    await viewer.evaluate((viewer) => viewer.removeAttribute('tool'));
+  });
+
   test('two fingers zoom and shift the view, and add nothing', async () => {
     const before = await viewer.sites();
     const first = await orbit();

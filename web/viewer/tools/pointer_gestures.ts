@@ -46,13 +46,15 @@ export class PointerGestures {
     listen('contextmenu', (event) => event.preventDefault());
   }
 
+  /** Whether a site is dragged or a stroke painted, of which a press is the first dab. */
   get dragging(): boolean {
-    return this.#press?.site !== undefined && this.#press.moved;
+    const { site, moved } = this.#press ?? {};
+    return site === 'brush' || (site !== undefined && moved === true);
   }
 
-  /** Forgets the press; a site that was dragged returns. */
+  /** Forgets the press; a site that was dragged returns, and what a stroke has painted goes. */
   cancel(): void {
-    if (this.#press?.site === 'brush') this.#tools.endStroke();
+    if (this.#press?.site === 'brush') this.#tools.cancelStroke();
     else if (this.dragging) this.#tools.cancelMove();
     this.#end();
   }

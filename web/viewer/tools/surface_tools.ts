@@ -145,6 +145,14 @@ export class SurfaceTools {
     this.#work.recordDensity();
   }
 
+  /** Back to the density before the stroke. */
+  cancelStroke(): void {
+    const { model, session } = this.#work;
+    if (!model) return;
+    model.paint.tints = session.tints;
+    this.#showTints(model);
+  }
+
   move(site: number, x: number, y: number): void {
     const { session, stage } = this.#work;
     stage.canvas.style.cursor = 'grabbing';
@@ -220,13 +228,17 @@ export class SurfaceTools {
 
   /** Paints density there; returns the place, if there is any surface. */
   #dab(device: Vector2): SurfaceHit | undefined {
-    const { attributes, model, stage } = this.#work;
+    const { attributes, model } = this.#work;
     const hit = this.pick(device);
     if (!hit || !model) return undefined;
     model.paint.dab(hit, attributes.brush);
-    model.drawing.setTints(model.paint.tints);
-    stage.invalidate();
+    this.#showTints(model);
     return hit;
+  }
+
+  #showTints({ drawing, paint }: OpenModel): void {
+    drawing.setTints(paint.tints);
+    this.#work.stage.invalidate();
   }
 
   /** Shows the outline of the brush's reach; nothing beside the surface. */
