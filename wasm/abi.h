@@ -4,8 +4,8 @@
 // results and errors go out. `src/base/wasm_module.ts` is the other side.
 //
 // The C++ functions themselves are the only list of what can be called. JavaScript calls them by
-// name, with as many arguments as they have; results and enumerators cross by name, too. So the two
-// sides need not agree on any order of functions, arrays or enumerators.
+// name, with as many arguments as they have; results and the names of options cross by name, too.
+// Only `Row`, its `Type` and `SliceEnd` are read by their layout and numbers.
 #pragma once
 
 #include <emscripten/em_macros.h>
@@ -59,7 +59,7 @@ class Record {
   void add(const char* name, std::vector<std::array<int, 3>> values);
   void add(const char* name, std::vector<Eigen::Vector3d> values);
   void add(const char* name, std::string utf8);
-  void add(const char* name, const char* utf8) { add(name, std::string(utf8)); }
+  void add(const char* name, const char* utf8) = delete;  ///< it would be taken for a boolean
   void add(const char* name, std::vector<std::string> texts);
   void add(const char* name, double number);
   void add(const char* name, int number) { add(name, static_cast<double>(number)); }

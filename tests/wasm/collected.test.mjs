@@ -31,19 +31,32 @@ test('a mesh or a diagram that nobody refers to any more stays until its call is
   assert.deepEqual(lengths, [30_000, 40, 30_000, 40, 30_000, 40]);
 });
 
-test('a tessellation that is left without a word is freed', async () => {
+test('a tessellation that is left without a word is freed, and one that its listener ends', async () => {
   const mesh = await gvd.mesh(grid(40));
   const sites = await mesh.sampleSites(40);
-  const begin = async (count) => {
-    for (let i = 0; i < count; ++i) {
-      await mesh.cvt(sites).next();
-      if (i % 5 > 0) continue;
-      collect();
-      await pause(1); // the time to free what was collected
-    }
-    return process.memoryUsage().external;
+  const fail = () => {
+    throw new Error('enough');
   };
-  const before = await begin(30);
-  const added = (await begin(90)) - before;
-  assert.ok(added < 5e6, `${added} bytes more`);
+  const tessellations = [
+    () => mesh.cvt(sites).next(),
+    () =>
+      mesh
+        .cvt(sites, { diagrams: true, onProgress: fail })
+        .next()
+        .catch(() => {}),
+  ];
+  for (const tessellate of tessellations) {
+    const begin = async (count) => {
+      for (let i = 0; i < count; ++i) {
+        await tessellate();
+        if (i % 5 > 0) continue;
+        collect();
+        await pause(1); // the time to free what was collected
+      }
+      return process.memoryUsage().external;
+    };
+    const before = await begin(30);
+    const added = (await begin(90)) - before;
+    assert.ok(added < 5e6, `${tessellate}: ${added} bytes more`);
+  }
 });

@@ -430,6 +430,23 @@ test('compressed data with any byte changed are read or refused', async () => {
   }
 });
 
+test('a model is given up while its files are read', async () => {
+  const file = new File([meshObj(octahedron())], 'a.obj');
+  const content = await file.arrayBuffer();
+  for (const open of [(...given) => gvd.mesh(...given), findModel]) {
+    const control = new AbortController();
+    file.arrayBuffer = async () => {
+      control.abort(new Error('enough'));
+      return content;
+    };
+    await assert.rejects(open(file, { signal: control.signal }), { message: 'enough' });
+  }
+  const control = new AbortController();
+  const mesh = gvd.mesh(octahedron(), { signal: control.signal });
+  control.abort(new Error('enough'));
+  await assert.rejects(mesh, { message: 'enough' });
+});
+
 test('findModel tells which file the model is, and what it means by a URI', async () => {
   const scene = bytesOf('{}');
   const files = { 'a/scene.gltf': scene, 'a/maps/red.png': bytesOf('red'), 'note.txt': scene };

@@ -211,6 +211,7 @@ const tasks = [
   (options) => mesh.cvt(one, options).next(),
   (options) => mesh.closestPoints([0, 0, 0], options),
   (options) => mesh.positionsOf(toSites(one), options),
+  (options) => mesh.readPoints(toSites(one), options),
   (options) => mesh.remesh(one, options),
   (options) => diagram.insertSite(one, options),
   (options) => diagram.moveSite(0, one, options),
@@ -304,6 +305,7 @@ test('sampleSites', async () => {
     (count) => mesh.sampleSites(count),
     /^count is /,
   );
+  await refused([[5]], (count) => mesh.sampleSites(count), /^count is of type Array/);
   await refused(
     [null, 0, -1, NaN, Infinity, '1', undefined],
     (radius) => mesh.sampleSites({ radius }),

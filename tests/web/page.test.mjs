@@ -357,6 +357,17 @@ suite('the page', () => {
       }, contents),
     );
     assert.match(await text(viewer, '#report'), /Triangles18/);
+
+    const { message } = await viewer.after('error', () =>
+      viewer.evaluate((element) => {
+        const failing = { readEntries: (_done, fail) => fail(new Error('it is gone')) };
+        const entry = { name: 'model', isDirectory: true, createReader: () => failing };
+        const item = { kind: 'file', webkitGetAsEntry: () => entry, getAsFile: () => null };
+        void document.createElement('geodesic-voronoi').loadDropped({ items: [item] });
+        void element.loadDropped({ items: [item] });
+      }),
+    );
+    assert.equal(message, 'The folder model cannot be read: it is gone.');
   });
 
   test('a vertex that is nowhere is told of, and nothing complains', async () => {

@@ -2,8 +2,8 @@
 //
 // geodesic-voronoi in a page or a worker; Node has `node.ts` instead. Importing it does nothing.
 
-import { isObject, show, toOptions } from './base/checks.js';
-import { compile, compileFromWeb, isAddress, isResponse } from './base/compile.js';
+import { isA, isObject, show, toOptions } from './base/checks.js';
+import { compile, compileFromWeb, isAddress } from './base/compile.js';
 import { GeodesicVoronoiError, invalidArgument, type ErrorCode } from './api/errors.js';
 import { Library } from './library/library.js';
 import {
@@ -148,7 +148,7 @@ async function toPost(
   source: WasmSource | undefined,
 ): Promise<WasmSource | undefined> {
   if (!isAddress(source))
-    return isResponse(source) ? compile(name, source, compileFromWeb) : source;
+    return isA(source, 'Response') ? compile(name, source, compileFromWeb) : source;
   try {
     return new URL(source, globalThis.document?.baseURI ?? globalThis.location?.href).href;
   } catch {

@@ -22,8 +22,8 @@ export interface DistancesOptions extends TaskOptions {
 /** Options of every call that may take long. */
 export interface TaskOptions {
   /**
-   * Called with the share done, 0 … 1. What it throws ends the task and rejects the promise; a change of a
-   * site (`insertSite`, `moveSite`, `removeSite`) is carried out nevertheless.
+   * Called with the share done, 0 … 1, unless the call is quick. What it throws ends the task and rejects
+   * the promise; a change of a site (`insertSite`, `moveSite`, `removeSite`) is carried out nevertheless.
    */
   onProgress?: ((share: number) => void) | undefined;
   /**
@@ -163,7 +163,8 @@ export interface MeshOptions extends TaskOptions {
   /**
    * Edges longer than this are halved until none is; a share of the bounding box's diagonal, 0 … 1.
    * The triangles of the mesh, in all results too, are then the smaller ones (`Mesh.parents`). For
-   * models whose triangles are about as long as regions (`Diagram.accuracy`). Default 0: as they are.
+   * models whose triangles are about as long as regions (`Diagram.accuracy`). More than 2^24 are refused.
+   * Default 0: as they are.
    */
   maxEdge?: number | undefined;
   /**

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The results of the library: plain data, copies, yours to keep or to transfer. `records.cpp` and
-// the bindings beside it fill in these fields by their names.
+// The results of the library: plain data, yours to keep. `records.cpp` and the bindings beside it fill
+// in these fields by their names.
 
 /** 'exact', the default, is the polyhedral distance; 'dgpc' is approximate, and quicker. */
 export type Metric = (typeof metrics)[number];
@@ -127,9 +127,9 @@ export interface PointLists {
 }
 
 /**
- * A geodesic Voronoi diagram as flat arrays: copies, yours to keep or to transfer. Labels are
- * indices into the list of sites. Left and right are as seen from the side on which triangles are
- * counterclockwise, after the mesh builder has turned some over.
+ * A geodesic Voronoi diagram as flat arrays. Those of a `Diagram` are its own: copy them before they
+ * are transferred. Labels are indices into the list of sites. Left and right are as seen from the side
+ * on which triangles are counterclockwise, after the mesh builder has turned some over.
  */
 export interface DiagramData {
   siteCount: number;
@@ -246,8 +246,8 @@ export interface DiagramAccuracy {
 
 export interface Located {
   /**
-   * The nearest site per point; -1 if none reaches it. Of those that tie, the first one, but those that the
-   * diagram knows all around the point come before others.
+   * The nearest site per point; -1 if none reaches it. Of those that tie, the first one whose distances the
+   * diagram has all around the point, else the first one.
    */
   label: Int32Array<ArrayBuffer>;
   /** Its distance in the input's units, Infinity if none reaches it. */

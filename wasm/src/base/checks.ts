@@ -62,7 +62,7 @@ export function toTaskOptions<
   return all as Complete<Options, Defaults> & TaskOptions;
 }
 
-/** The options of a task that has none of its own. */
+/** The options of a call that takes only those of a task. */
 export function toTask(options: TaskOptions | undefined): TaskOptions {
   return toTaskOptions(options, {});
 }
@@ -145,10 +145,7 @@ export function requireBytes(name: string, bytes: Uint8Array): void {
 }
 
 /** The name at the least Levenshtein distance, unless more than a third of the letters differ. */
-export function nearestName<Name extends string>(
-  name: string,
-  names: readonly Name[],
-): Name | undefined {
+export function nearestName(name: string, names: readonly string[]): string | undefined {
   const distances = names.map((other) => letterDistance(name.toLowerCase(), other.toLowerCase()));
   const least = Math.min(...distances);
   const nearest = names[distances.indexOf(least)];

@@ -18,7 +18,7 @@ export async function compile(
   if (isA(source, 'WebAssembly.Module')) return source;
   try {
     if (isAddress(source)) return await awake(() => compileAddress(source));
-    if (isResponse(source)) return await awake(() => compileResponse(source));
+    if (isA(source, 'Response')) return await awake(() => compileResponse(source));
     const bytes = bytesOf(source);
     if (bytes) return await awake(() => WebAssembly.compile(bytes));
   } catch (cause) {
@@ -69,10 +69,6 @@ async function compileResponse(response: Response): Promise<CompiledModule> {
 
 export function isAddress(source: unknown): source is URL | string {
   return typeof source === 'string' || isA(source, 'URL');
-}
-
-export function isResponse(source: unknown): source is Response {
-  return isA(source, 'Response');
 }
 
 function bytesOf(source: unknown): Uint8Array<ArrayBuffer> | undefined {

@@ -11,7 +11,7 @@ const sliceMilliseconds = 12;
 /** Work that can be interrupted: it yields the share done, 0 … 1, wherever it may pause. */
 export type SlicedWork<Result> = Generator<number, Result>;
 
-/** A part of a task: its share done, from 0 to 1, is one of the task's, between two shares of that. */
+/** The options of a part of a task, which reports its progress as the task's between two shares. */
 export function partOf({ signal, onProgress }: TaskOptions, from: number, to: number): TaskOptions {
   return { signal, onProgress: onProgress && ((share) => onProgress(from + (to - from) * share)) };
 }
@@ -20,6 +20,7 @@ export async function inSlices<Result>(
   work: SlicedWork<Result>,
   { signal, onProgress }: TaskOptions,
 ): Promise<Result> {
+  signal?.throwIfAborted();
   for (;;) {
     const end = performance.now() + sliceMilliseconds;
     let next = work.next();

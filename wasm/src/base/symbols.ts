@@ -8,5 +8,5 @@ export const disposeSymbol: typeof Symbol.dispose = Symbol.dispose ?? Symbol.for
 /** What `console.log` in Node shows of an object, whose values are not its own fields. */
 export const inspectSymbol = Symbol.for('nodejs.util.inspect.custom');
 
-/** An object's tag. Vue puts no proxy, which could not read private fields, before one that has it. */
+/** An object's tag. Where there is one, Vue makes no proxy, which could not read private fields. */
 export const tagSymbol: typeof Symbol.toStringTag = Symbol.toStringTag;

@@ -12,7 +12,7 @@ import type { SlicedWork } from './slices.js';
 export type Argument = number | boolean | Memory;
 type Memory = string | Int32Array | Float64Array | Uint8Array | readonly Memory[];
 
-/** The functions of `abi.cpp` that are called here without a check of their parameters. */
+/** The functions of `abi.cpp` that are called directly, without a look at their parameters. */
 interface Exports {
   memory: WebAssembly.Memory;
   _initialize(): void;

@@ -118,7 +118,7 @@ export interface Engine {
   dispose(): void;
 }
 
-/** The end of a call, good or bad; a promise of the result itself would keep that in memory. */
+/** Resolves when a call has succeeded or failed, and does not keep its result in memory. */
 export function settled(call: Promise<unknown>): Promise<void> {
   return call.then(
     () => {},

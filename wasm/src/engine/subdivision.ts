@@ -27,7 +27,7 @@ export function subdividedTriangles(
   };
 }
 
-/** Runs of triangles, by the numbers of their parts. */
+/** The primitives of a glTF, with triangles numbered as after subdivision. */
 export function subdividedParts(parts: readonly MeshPart[], { parents }: Subdivision): MeshPart[] {
   const firstOf = (triangle: number) => firstPartOf(triangle, parents);
   return parts.map((part) => {

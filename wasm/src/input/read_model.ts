@@ -64,6 +64,7 @@ export async function modelIn(
   const model = isArchive
     ? await modelAmong((await imported(import('./zip.js'))).zipFiles(found.bytes, task), wanted)
     : found;
+  task.signal?.throwIfAborted();
   const { format } = model;
   // There are zips that hold themselves.
   if (format === 'zip') {
@@ -74,6 +75,7 @@ export async function modelIn(
 
 /** The paths of all models among files; of a .zip alone, those in it. */
 export async function modelsIn(files: ModelFiles, task: TaskOptions): Promise<string[]> {
+  task.signal?.throwIfAborted();
   const models = new FileSet(files).models();
   if (models.length > 0) return models;
   const { file, format, bytes } = await modelAmong(files, undefined);

@@ -103,7 +103,7 @@ export class EngineMesh implements Mesh {
     wanted: number | { radius: number },
     options?: SampleOptions,
   ): Promise<SurfacePoints> {
-    const byRadius = isObject(wanted);
+    const byRadius = isObject(wanted) && !Array.isArray(wanted);
     const { seed, sampling, perComponent, density, ...task } = toTaskOptions(options, {
       ...samplingDefaults,
       sampling: byRadius ? 'farthest' : 'random',
@@ -156,6 +156,7 @@ export class EngineMesh implements Mesh {
 
   async readPoints(json: unknown, options?: TaskOptions): Promise<SurfacePoints> {
     const task = toTask(options);
+    task.signal?.throwIfAborted();
     const file = pointsFile(json);
     const given = toPoints('points', file.points);
     const cut = this.#cut;
@@ -269,8 +270,9 @@ export class EngineMesh implements Mesh {
       for (;;) {
         const advanced = await tessellation.ask((cvt) => engine.advanceCvt(cvt, form, { signal }));
         if (!advanced) break;
+        const state = stateOf(engine, advanced, settings.metric); // now the diagram has an owner
         onProgress?.(Math.min(1, (advanced.iteration + 1) / (settings.iterations + 1)));
-        yield stateOf(engine, advanced, settings.metric);
+        yield state;
       }
       onProgress?.(1);
     } finally {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Points of triangles, by the parts that these were cut into. Their places in space would not tell:
-// where surfaces touch, other triangles are there, too.
+// Points moved from triangles to the smaller ones that these were cut into. Not by their places in
+// space: where surfaces touch, other triangles are there, too.
 
 import type { SurfacePoints } from '../api/results.js';
 import type { Cut } from '../base/triangles.js';

@@ -62,7 +62,7 @@ export class DistanceSurface {
         .replace('#include <common>', `#include <common>\n${colouring}`)
         .replace('#include <color_fragment>', 'diffuseColor.rgb = distanceColour();');
     };
-    // See `ExplodedParts`.
+    // As in `ExplodedParts`: for three.js, `occlude` makes all programs the same.
     material.customProgramCacheKey = () => 'distances';
     occlude(material, occlusion);
     const surface = new Mesh(geometry, material);

@@ -29,13 +29,12 @@ const limitedWidth = `min(
 )`;
 
 /**
- * What a material has whose surface lies behind the lines in it. These are some pixels wide: on a
- * slope the depth differs across them by the slope times half their width, which is what the factor
- * pushes back.
+ * The polygon offset of a surface with lines on it. Lines are some pixels wide, so on a slope their
+ * depth differs by the slope times half their width: that is what the factor adds.
  */
 export const behindLines = { polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2 };
 
-/** What a material has whose surface lies behind another in the same place, itself behind lines. */
+/** The polygon offset of a surface behind another one with lines, in the same place. */
 export const behindSurface = { polygonOffset: true, polygonOffsetFactor: 3, polygonOffsetUnits: 4 };
 
 /** The width of a line with its rim, in widths of the line. */
@@ -187,8 +186,8 @@ export function chainEnds(
 }
 
 /**
- * Both ends of pieces of the sides by which a dual of so many sites reaches the mesh boundary, in
- * the scene, laid onto the surface: straight ones would run below it where it is bent outwards.
+ * Both ends of every piece of a dual's sides that reach the mesh boundary, in the scene. The pieces
+ * are laid onto the surface: straight sides would run below it where it is convex.
  * `nearest` finds the point of the surface.
  */
 export async function boundarySides(

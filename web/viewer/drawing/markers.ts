@@ -18,7 +18,7 @@ import type { Theme } from './theme.js';
 /** The rim's share of the radius. */
 const rimShare = 0.3;
 
-/** How many times its own radius the least radius may be, for a marker of the usual radius. */
+/** On the screen, the least radius of a marker is at most this many times that of a usual one. */
 const crowding = 2.2;
 
 /** Emphasised markers are this much larger. */

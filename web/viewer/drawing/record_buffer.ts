@@ -199,8 +199,8 @@ export function uploadRecords(
 }
 
 /**
- * Has the next drawing upload a whole buffer, or its first `length` numbers. That is a range, too:
- * otherwise only ranges added before the drawing would be uploaded.
+ * Has the next drawing upload a whole buffer, or its first `length` numbers. They are a range:
+ * without one three.js would upload all, but ranges may be added before the drawing.
  */
 export function uploadAll(buffer: UploadedBuffer, length = buffer.array.length): void {
   buffer.clearUpdateRanges();

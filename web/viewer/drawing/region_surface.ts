@@ -44,8 +44,8 @@ export type DiagramSource = Pick<Diagram, 'data'>;
  * The model's surface filled by region. Faces are drawn from arrays made once; only their colours
  * change with the diagram. The cells of mixed faces are drawn in front of these faces as they were
  * traced: the fill ends exactly where the bisector runs. Behind them, each corner of a mixed face
- * has the colour of its region. `detail` gives cells corners on sides whose other face has none,
- * and there the face behind fills the gaps of single pixels.
+ * has the colour of its region. With `detail`, a cell may have a corner on a side where the face
+ * beyond has none; the face behind fills the gaps of a pixel there.
  */
 export class RegionSurface {
   readonly object = new Group();

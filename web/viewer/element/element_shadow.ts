@@ -85,6 +85,7 @@ export class ElementShadow {
   readonly #poster = make('div', { className: 'poster' });
   readonly #posterImage = make('img', { alt: '', hidden: true });
   readonly #progress = make('div', { className: 'progress' });
+  readonly #bar = make('div', { className: 'bar' });
   readonly #hint = make('div', { className: 'hint', ...english });
   readonly #instructions = make('p', { className: 'unseen', id: 'instructions', ...english });
   readonly #announcement = make('p', { className: 'unseen', ...english });
@@ -102,8 +103,9 @@ export class ElementShadow {
     this.#message.setAttribute('role', 'alert');
     this.canvas.setAttribute('aria-describedby', 'instructions');
     this.#poster.append(make('slot', { name: 'poster' }, this.#posterImage));
-    const bar = make('div', { className: 'bar' });
-    this.#progress.append(make('slot', { name: 'progress-bar' }, bar));
+    this.#bar.setAttribute('role', 'progressbar');
+    this.#bar.setAttribute('aria-label', 'Progress');
+    this.#progress.append(make('slot', { name: 'progress-bar' }, this.#bar));
     const parts = {
       canvas: this.canvas,
       aim: this.#aim,
@@ -175,6 +177,7 @@ export class ElementShadow {
   set progress(share: number | undefined) {
     this.#progress.classList.toggle('busy', share !== undefined);
     this.#progress.style.setProperty('--share', String(share ?? 0));
+    this.#bar.setAttribute('aria-valuenow', String(Math.round(100 * (share ?? 0))));
   }
 
   hint(sentence: string): void {

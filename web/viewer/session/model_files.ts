@@ -3,6 +3,7 @@
 // The files of a model, as a person gives them: chosen, dropped, or by an address.
 
 import { gltfResourceUris, type ModelFiles } from 'geodesic-voronoi';
+import { sentence } from './failure.js';
 
 /** Files, and a name for them until the model is found among them. */
 export interface NamedFiles {
@@ -42,7 +43,7 @@ export function named(given: File[] | ModelFiles, file?: string): NamedFiles {
 }
 
 /** Files and folders that were dropped; to be called before the drop's event is over. */
-export async function droppedFiles(dropped: DataTransfer): Promise<ModelFiles> {
+export function droppedFiles(dropped: DataTransfer): Promise<ModelFiles> {
   const found = [...dropped.items]
     .filter(({ kind }) => kind === 'file')
     .map((item) => {
@@ -50,7 +51,9 @@ export async function droppedFiles(dropped: DataTransfer): Promise<ModelFiles> {
       const file = item.getAsFile();
       return entry?.isDirectory || !file ? filesIn(entry) : [[file.name, file] as [string, File]];
     });
-  return byPath((await Promise.all(found)).flat());
+  const files = Promise.all(found).then((lists) => byPath(lists.flat()));
+  files.catch(() => {}); // whoever opens them hears of it
+  return files;
 }
 
 /** Requests that a page has made before, by address; the response to each is read once. */
@@ -113,7 +116,9 @@ async function filesIn(entry: FileSystemEntry | null): Promise<[string, File][]>
   // A folder is handed over a hundred entries at a time.
   for (;;) {
     const entries = await new Promise<FileSystemEntry[]>((done, fail) =>
-      reader.readEntries(done, fail),
+      reader.readEntries(done, (cause) =>
+        fail(sentence(`The folder ${entry.name} cannot be read`, cause)),
+      ),
     );
     if (entries.length === 0 || files.length > maxFiles) return files;
     for (const inner of entries) files.push(...(await filesIn(inner)));

@@ -322,7 +322,7 @@ export class Session {
     if (this.#history.tints !== tints) this.#listener.densityChanged(this.#history.tints);
     this.#listener.settingsRestored(this.#diagram.settings);
     this.#listener.sitesChanged();
-    // A step that failed has taken the diagram with it, and a library that has stopped the mesh.
+    // After a step that failed there is no diagram, and after a library has stopped no mesh.
     const isGone = !diagram || this.#hasStopped;
     if (isGone && sites.length > 0 && failed.sites !== sites) this.#request();
   }

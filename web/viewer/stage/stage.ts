@@ -39,7 +39,7 @@ export class Stage {
     this.#addLights();
   }
 
-  /** Out of view nothing is drawn, and the scene's memory on the graphics card is freed. */
+  /** Out of view nothing is drawn, and the geometries on the graphics card are freed. */
   set inView(isInView: boolean) {
     if (isInView === this.#isInView) return;
     this.#isInView = isInView;
