@@ -278,11 +278,16 @@ TEST(OpenSeams, AreFoundInLongBoundaries) {
   EXPECT_FALSE(hasOpenSeams(3e-6));
 }
 
-TEST(OpenSeams, AreNeitherShortBoundaryEdgesNorCutEdges) {
+TEST(OpenSeams, AreNeitherShortEdgesNorCutEdges) {
   Shape shape = shapes::grid(1, 1);
   const int near = shape.addVertex({1 + 1e-9, 0, 0});
   shape.addTriangle(1, near, 3);
   EXPECT_FALSE(shape.mesh().topology().hasOpenSeams);
+  Shape kite;  // with a short inner edge, whose ends are on the boundary
+  for (const Eigen::Vector3d& p : {Eigen::Vector3d{0, 0, 0}, {0, 1e-7, 0}, {1, 0, 0}, {-1, 0, 0}})
+    kite.addVertex(p);
+  kite.addQuad(0, 2, 1, 3);
+  EXPECT_FALSE(kite.mesh().topology().hasOpenSeams);
   const TriangleMesh moebius = shapes::moebiusStrip(20).mesh();
   EXPECT_GT(moebius.repairs().orientationCuts, 0);
   EXPECT_FALSE(moebius.topology().hasOpenSeams);

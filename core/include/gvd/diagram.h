@@ -116,12 +116,12 @@ struct DiagramOptions {
 };
 
 /// The diagram of the distances of `siteCount` sites. The same input gives the same diagram to the
-/// last bit; permuting the sites permutes the labels. O(F + M log M), M the number of points, plus
-/// O(k²) for each face with k regions.
-/// The distances must be known at all corners where `DistanceField` says so; a field of another
-/// implementation that lacks some may end in `std::logic_error`. Throws `Error(kInvalidArgument)`
-/// if the distances are those of another mesh or of more than `siteCount` sites, or if `detail` is
-/// negative or more than `kMostDetail`.
+/// last bit; permuting the sites permutes the labels, except where they tie. O(F + M log M), M the
+/// number of points; for each face with k labels that are nearest or tie at a corner, O(k²) is
+/// added, at worst O(k³). The distances must be known at all corners where `DistanceField` says so;
+/// a field of another implementation that lacks some may end in `std::logic_error`. Throws
+/// `Error(kInvalidArgument)` if the distances are those of another mesh or of more than `siteCount`
+/// sites, or if `detail` is negative or more than `kMostDetail`.
 Diagram traceDiagram(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
                      const DiagramOptions& options = {});
 

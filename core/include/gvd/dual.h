@@ -142,8 +142,8 @@ struct RepairedSites {
 };
 
 /// Adds sites until the diagram has no violations: in each round those of `repairingSites`, which
-/// are inserted into a `DynamicDiagram`. Begins without sites, too. Deterministic. Takes as long as
-/// the diagram and these insertions, plus a `findViolations` per round.
+/// are inserted into a `DynamicDiagram`. `sites` may be empty. Deterministic. Takes as long as the
+/// diagram and these insertions, plus a `findViolations` per round.
 ///
 /// Throws `Error(kTooFewSites)`, naming the first violation that is left, if more than `maxAdded`
 /// would be needed, or if an added site has no region: then triangles are too long (`subdivide`).

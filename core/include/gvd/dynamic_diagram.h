@@ -70,10 +70,11 @@ class DynamicDiagram {
   DynamicDiagram& operator=(DynamicDiagram&&) noexcept;
 
   /// A change takes about as long as computing the regions in `DiagramChange::labels`, however
-  /// large the mesh is. (If several sites tie behind a saddle vertex, a little time per vertex of
-  /// the mesh is added. With `detail`, the whole diagram is traced again if the change touches a
-  /// face in which a label is nearest without being known at its corners.) The new site gets
-  /// `lowestFreeLabel()`. After `std::bad_alloc` the change stays unfinished (`startInsert`).
+  /// large the mesh is. (A little time is added per loop of the mesh boundary, and if several sites
+  /// tie behind a saddle vertex, per vertex of the mesh. With `detail`, the whole diagram is traced
+  /// again if the change touches a face in which a label is nearest without being known at its
+  /// corners.) The new site gets `lowestFreeLabel()`. After `std::bad_alloc` the change stays
+  /// unfinished (`startInsert`).
   DiagramChange insertSite(const SurfacePoint& site);
   /// Throws `Error(kInvalidArgument)` if no site has the label.
   DiagramChange removeSite(int label);

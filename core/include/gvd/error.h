@@ -18,9 +18,10 @@ enum class ErrorCode {
 };
 
 /// Thrown because of bad input, and for no other reason. The message is one sentence that names
-/// what is wrong and where (index, value). Two more exceptions can come from the library:
-/// `std::bad_alloc`, and `std::logic_error` if intermediate results contradict each other: a bug to
-/// be reported, unless a `DistanceField` of the caller's own lacks distances (`traceDiagram`).
+/// what is wrong and where (index, value). Three more exceptions can come from the library:
+/// `std::bad_alloc`, `std::length_error` for a list longer than memory can be, and otherwise
+/// `std::logic_error` if intermediate results contradict each other: a bug to be reported, unless a
+/// `DistanceField` of the caller's own lacks distances (`traceDiagram`).
 class Error : public std::runtime_error {
  public:
   Error(ErrorCode code, const std::string& message) : std::runtime_error(message), code_(code) {}

@@ -67,7 +67,7 @@ inline LabelledDistance nearestOf(std::span<const LabelledDistance> sites) {
 /// vertex that is asked for must exist; a label may be any number, and is not known anywhere if no
 /// site has it. Queries at points share working memory: several threads may call `at` and
 /// `direction` at the same time, but no other function, and none that takes the field and asks it
-/// about points (tracing with `detail`, `dualPaths`, `repairingSites`, `WorstRegions`).
+/// about points (tracing with `detail`, `accuracy`, `dualPaths`, `repairingSites`, `WorstRegions`).
 class DistanceField {
  public:
   virtual ~DistanceField() = default;
@@ -149,7 +149,7 @@ std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePo
 ///
 /// Each site spreads about as far as it is nearest. For a site that is nearest on n vertices, this
 /// takes about O(n) with DGPC; with the exact metric O(n²) at worst, about O(n^1.5) on most meshes.
-/// O(F) is added.
+/// O(F) is added, and O(k²) for k sites in one face.
 std::unique_ptr<Propagation> propagate(const TriangleMesh& mesh,
                                        std::span<const SurfacePoint> sites, Metric metric);
 

@@ -33,10 +33,10 @@ struct PolygonTriangles {
 /// Cuts every polygon along diagonals: as a Delaunay triangulation of its projection to the plane
 /// of its mean normal, where that is convex. No diagonal joins two vertices that a side or an
 /// earlier diagonal joins, where there is another choice: there is one in a dual without
-/// violations. Sides and orientation stay, and so does the topology then. In a dual, the polygons
-/// on both sides of a site that they surround alone could get one diagonal: its region is cut off
-/// by another one, together with a run of the boundary. O(n log n + d² log n) for n corners in all,
-/// and for a polygon of d corners, three or more; those with fewer have no triangle.
+/// violations. Sides and orientation stay, and so does the topology then. In a dual, a site may
+/// have two polygons only, as its region is cut off by another one, together with a run of the
+/// boundary: both could get the same diagonal. O(n log n + d² log n) for n corners in all, and for
+/// a polygon of d corners, three or more; those with fewer have no triangle.
 PolygonTriangles triangulate(const PolygonMesh& mesh);
 
 /// The topology of the surface that the faces of a polygon mesh make, joined at the vertices they

@@ -54,8 +54,8 @@ struct RemeshQuality {
 /// triangles it has the default values, and an infinite distance.
 ///
 /// The Hausdorff distance is that of a point, so it is never more than the true one, and at most a
-/// hundredth less, unless it is so small that its search ends before: after 4096 points and four
-/// more for each square of the shorter mean edge of the two surfaces. O(n log n) for n triangles
+/// hundredth less, unless it is so small that the search for it is ended: after 4096 points and
+/// four for each square of the shorter mean edge of the two surfaces. O(n log n) for n triangles
 /// and such points. Source: Min Tang, Minkyoung Lee, Young Kim. Interactive Hausdorff Distance
 /// Computation for General Polygonal Models. 2009.
 RemeshQuality measureQuality(const TriangleMesh& surface, const PolygonMesh& remesh);

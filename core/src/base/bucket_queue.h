@@ -57,7 +57,7 @@ class BucketQueue {
     --count_;
     return current_->items[current_->next++];
   }
-  /// The item after a few others of the same bucket, after `advance`.
+  /// The item `others` places on in the bucket; after `advance`.
   std::optional<int> ahead(std::size_t others) const {
     const std::size_t i = current_->next + others;
     return i < current_->items.size() ? std::optional(current_->items[i]) : std::nullopt;

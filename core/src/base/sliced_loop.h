@@ -15,8 +15,8 @@ namespace gvd {
 /// when called again.
 ///
 /// A budget limits the work of one step. Its unit is a microsecond or less: dividing one mixed
-/// face, or `perUnit` rounds of a cheap loop. These numbers of rounds are rough measurements: how
-/// long a step takes follows from them, no result does.
+/// face, or `perUnit` rounds of a cheap loop. These numbers of rounds are rough: they decide how
+/// long a step takes, but no result.
 class SlicedLoop {
  public:
   /// Calls `body` with the indices. Returns true when it has been called with all of them; the next

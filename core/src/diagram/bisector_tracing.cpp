@@ -36,12 +36,11 @@ bool BisectorTracing::step(long& budget) {
 void BisectorTracing::reserve() {
   const int mixedCount = complex_.mixedCount();
   const size_t mixed = mixedCount, atSites = 6 * std::min(out_.siteCount, mixedCount);
-  const size_t points = 5 * mixed / 2 + atSites + complex_.partialCount();
-  graph_.points.reserve(points);
-  graph_.places.reserve(points);
+  const size_t cells = 5 * mixed / 2 + atSites + complex_.partialCount();  // about as many points
+  graph_.points.reserve(cells);
+  graph_.places.reserve(cells);
   graph_.segments.reserve(5 * mixed / 4 + atSites);
   graph_.nextDart.reserve(5 * mixed / 2 + 2 * atSites);
-  const size_t cells = 5 * mixed / 2 + atSites + complex_.partialCount();
   graph_.cells.offset.reserve(cells + 1);
   graph_.cells.points.reserve(8 * mixed + 6 * atSites + 4 * complex_.partialCount());
   graph_.cellFace.reserve(cells);

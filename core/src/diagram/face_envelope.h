@@ -55,7 +55,7 @@ class FaceEnvelope {
   };
 
   /// `functions`: at least one, ascending by label. They must outlive all later calls. O(n²) for n
-  /// cells.
+  /// functions that are least or tie somewhere, at worst O(n³).
   void compute(std::span<const LabelFunction> functions);
 
   const std::vector<Vertex>& vertices() const { return vertices_; }

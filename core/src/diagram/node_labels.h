@@ -88,8 +88,8 @@ class NodeLabels {
     int next;                                  ///< in the list, a node, -1 for none
     std::span<const LabelledDistance> labels;  ///< in labelChunks_
   };
-  /// The midpoints of some of the sides that end at a node. A side is listed at that of its ends
-  /// which has fewer then, so that lists are short even where all sides end at one node.
+  /// The midpoints of some of the sides that end at a node. A side is listed at the end with fewer
+  /// so far, so that lists are short even where all sides end at one node.
   struct MidpointList {
     int first = -1;  ///< node
     int size = 0;

@@ -59,8 +59,8 @@ void BoundsLowering::lowerBy(int label) {
 
 /// Finds vertices where no label has reached the edge bound. In needles, and in faces much longer
 /// than the distance, rounding may make straight paths longer than the path along edges, or lose
-/// them. Requires the label that is nearest by way of a neighbour to go on to each such vertex,
-/// along the edge if need be. False if there are none.
+/// them. Requires the label that is nearest by way of a neighbour to go on to each such vertex: by
+/// windows that wait at its faces, or along the edge. False if there are none.
 bool BoundsLowering::requireMissed() {
   for (const Requirement& r : missed_) lowerBy(r.label);
   missed_.clear();

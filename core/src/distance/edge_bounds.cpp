@@ -51,10 +51,9 @@ void EdgeBounds::forgetBound(int vertex) {
   forgotten_.push_back(vertex);
 }
 
-/// The neighbours of the vertices, and the sites in the faces around them, offer bounds anew.
-/// Labels do not tell which vertices these are: rounding may make two paths to a vertex equally
-/// long after one of them was shortened, and the vertex then keeps the label that the path no
-/// longer leads to.
+/// The vertices beyond are found by `from`, not by label: if a path that was shortened is as long
+/// as before by rounding, the vertex keeps the label that the path no longer leads to. Then the
+/// neighbours, and the sites in the faces around, offer bounds anew.
 bool EdgeBounds::forget(long& budget) {
   for (; followed_ < forgotten_.size(); ++followed_) {
     if (budget-- <= 0) return false;

@@ -30,7 +30,7 @@ bool LabelClosure::step(long& budget) {
                            [&](int l, const auto& faces) { return listRequired(l, faces); });
       },
       forEach(extended_.list(), budget, kQuickRounds,
-              [&](int i) { lists_.equalizeTiesAgain(extended_.list()[i]); }));
+              [&](int i) { lists_.equalizeTies(extended_.list()[i]); }));
 }
 
 // --- Listing -------------------------------------------------------------------------------------

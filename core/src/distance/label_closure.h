@@ -20,9 +20,9 @@ namespace gvd {
 /// by interpolation, it has to be known at all corners of the faces on both sides. A label added at
 /// one vertex may be required at others, so each label goes on until no more is required of it.
 ///
-/// What is compared are distances as labels have found them, that of the label in question lowered
-/// by as much as a tie may lower it (`equalizeTies`). What ties do lower depends on which labels
-/// are known at a vertex, and so on the order in which they were added.
+/// Compares distances as labels have found them: how far `equalizeTies` lowers them depends on the
+/// labels known at a vertex, and so on the order of adding. That of the label in question counts as
+/// lowered as far as a tie may lower it.
 ///
 /// `LabelCompletion` applies the same rule to the elements of a refined diagram. No label can
 /// spread to their corners, so it unfolds the missing distance from the two known ones.

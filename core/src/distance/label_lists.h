@@ -82,16 +82,13 @@ class LabelLists {
     distances_.insert(reached.vertex, index, {label, listed(reached)});
     indices_.insert(reached.vertex, index, reachedIndex);
   }
+  /// Also once labels were added since.
   void equalizeTies(int vertex) {
-    isEqualized_[vertex] = gvd::equalizeTies(distances_[vertex], bounds_.ties()) ? 1 : 0;
-  }
-  /// The same once labels were added since.
-  void equalizeTiesAgain(int vertex) {
-    for (size_t i = 0; i < distances_[vertex].size(); ++i) {
+    for (size_t i = 0; isEqualized_[vertex] && i < distances_[vertex].size(); ++i) {
       LabelledDistance& d = distances_[vertex][i];
       d.distance = listed(spread_.reached(d.label)[indices_[vertex][i]]);
     }
-    equalizeTies(vertex);
+    isEqualized_[vertex] = gvd::equalizeTies(distances_[vertex], bounds_.ties()) ? 1 : 0;
   }
 
  private:

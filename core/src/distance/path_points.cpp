@@ -29,14 +29,6 @@ double lengthBetween(const TriangleMesh& mesh, const SurfacePoint& a, const Surf
   return least;
 }
 
-PathPoints::PathPoints(const TriangleMesh& mesh, const SurfacePoint& site)
-    : mesh_(mesh), site_(site), siteVertex_(vertexAt(mesh, site)) {
-  int count = 0;
-  if (siteVertex_ < 0)
-    visitRepresentations(mesh, site,
-                         [&](const SurfacePoint& place) { siteFaces_[count++] = place.face; });
-}
-
 void PathPoints::add(const SurfacePoint& p) {
   if (points_.empty() || lengthBetween(mesh_, points_.back(), p) > 0) points_.push_back(p);
 }
@@ -51,16 +43,10 @@ bool PathPoints::endAtSite() {
 
 bool PathPoints::isBesideSite(const SurfacePoint& p) const {
   bool isBeside = false;
-  visitRepresentations(mesh_, p,
-                       [&](const SurfacePoint& place) { isBeside |= hasSite(place.face); });
+  visitRepresentations(mesh_, p, [&](const SurfacePoint& place) {
+    isBeside |= pointInFace(mesh_, site_, place.face).has_value();
+  });
   return isBeside;
-}
-
-/// Whether a face has the site in it, on a side or at a corner.
-bool PathPoints::hasSite(int face) const {
-  if (siteVertex_ < 0) return face == siteFaces_[0] || face == siteFaces_[1];
-  const auto& corners = mesh_.face(face).vertices;
-  return std::find(corners.begin(), corners.end(), siteVertex_) != corners.end();
 }
 
 }  // namespace gvd

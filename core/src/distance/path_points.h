@@ -56,7 +56,7 @@ CornerOnPath bestCorner(const TriangleMesh& mesh, const SurfacePoint& p, double 
 /// is left out.
 class PathPoints {
  public:
-  PathPoints(const TriangleMesh& mesh, const SurfacePoint& site);
+  PathPoints(const TriangleMesh& mesh, const SurfacePoint& site) : mesh_(mesh), site_(site) {}
 
   void add(const SurfacePoint& p);
   const SurfacePoint& last() const { return points_.back(); }
@@ -72,12 +72,8 @@ class PathPoints {
   std::vector<SurfacePoint> take() { return std::move(points_); }
 
  private:
-  bool hasSite(int face) const;
-
   const TriangleMesh& mesh_;
   const SurfacePoint site_;
-  int siteVertex_ = -1;
-  int siteFaces_[2] = {-1, -1};  ///< unless the site is a vertex
   std::vector<SurfacePoint> points_;
 };
 

@@ -21,8 +21,8 @@ class ReachedIndex {
   }
   /// To be called when a vertex is appended to the list.
   void append(int vertex) {
-    indices_[vertex] = static_cast<int>(vertices_.size());
     vertices_.push_back(vertex);
+    indices_[vertex] = static_cast<int>(vertices_.size()) - 1;
   }
   /// -1 if the label has not reached the vertex.
   int operator[](int vertex) const { return indices_[vertex]; }

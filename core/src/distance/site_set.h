@@ -33,9 +33,8 @@ class SiteSet {
   template <class Visit>
   void visitFacesOf(int label, Visit visit) const {
     const SurfacePoint& point = points_[label];
-    visit(point);
-    const int side = incidenceOf(point.bary).side, h = 3 * point.face + side;
-    if (side >= 0 && mesh_.twin(h) >= 0) visit(acrossEdge(mesh_, point, h));
+    if (incidenceOf(point.bary).corner >= 0) return visit(point);
+    visitRepresentations(mesh_, point, visit);
   }
   std::span<const FaceSite> inFace(int face) const { return inFace_[face]; }
 

@@ -333,8 +333,9 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
     if (mesh_.topology_.hasOpenSeams) return;
     const int near = boundarySamples_->firstNear(mesh_.position(v));
     if (near < 0 || mesh_.position(near) == mesh_.position(v)) return;
-    const auto nextOnLoop = [&](int of) { return mesh_.tip(mesh_.outgoing(of)); };
-    if (nextOnLoop(v) != near && nextOnLoop(near) != v) mesh_.topology_.hasOpenSeams = true;
+    bool isJoined = false;
+    mesh_.visitNeighbours(v, [&](int neighbour) { isJoined |= neighbour == near; });
+    if (!isJoined) mesh_.topology_.hasOpenSeams = true;
   }
 
   void countTopology() {

@@ -23,9 +23,8 @@ inline void prefetchFan(const TriangleMesh& mesh, int vertex) {
 }
 
 /// Whether a halfedge is one side of a slit: a single edge that is cut, around both ends of which
-/// the surface goes on. The other side has the same ends, and so the same distances there, which
-/// tell nothing of the side between them: what is near it on one side may be far from it on the
-/// other.
+/// the surface goes on. The two sides have the same ends, and so the same distances there, but a
+/// label that owns part of one side may be far from the other.
 inline bool isSideOfSlit(const TriangleMesh& mesh, int h) {
   return mesh.twin(h) < 0 && mesh.tip(mesh.outgoing(mesh.tip(h))) == mesh.tail(h);
 }

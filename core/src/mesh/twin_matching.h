@@ -54,8 +54,8 @@ class TwinMatching {
   std::vector<int> take() { return std::move(twins_); }
 
  private:
-  /// By both ends, because all halfedges may end at one vertex; near each other for vertices near
-  /// each other, which stay in the cache.
+  /// By both ends, because all halfedges may end at one vertex. Near vertices have near buckets,
+  /// which stay in the cache.
   std::size_t bucketOf(int a, int b) const {
     constexpr std::size_t kFactor = 31;
     return (std::min(a, b) + kFactor * std::max(a, b)) & (firstOpen_.size() - 1);

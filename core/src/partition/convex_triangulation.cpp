@@ -28,8 +28,8 @@ std::span<const std::array<int, 3>> ConvexTriangulation::compute(
 }
 
 /// The corner between the ends of a chord that sees the chord at the largest angle, that is, with
-/// the least cotangent. A corner on the chord itself is a late choice, because its triangle has no
-/// area, and a corner behind a chord that is ruled out the last.
+/// the least cotangent. Corners on the chord, whose triangles have no area, come after all others,
+/// and those behind ruled-out chords last.
 int ConvexTriangulation::apex(int from, int to, const IsRuledOut& isRuledOut) const {
   int best = from;
   double least = std::numeric_limits<double>::infinity();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Shared by the dual, its checks and its repair.
+// Shared by the dual, its checks, its repair and the remesh.
 #pragma once
 
 #include <memory>

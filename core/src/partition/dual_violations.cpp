@@ -113,10 +113,10 @@ class Inspector {
     return labels;
   }
 
-  /// How often two regions meet, and the triangles there.
+  /// Where two regions meet.
   struct Meeting {
-    int count = 0;
-    std::vector<int> triangles;
+    std::vector<const RegionComplex::Border*> borders;
+    std::vector<int> vertices;
   };
   using Meetings = std::map<std::pair<int, int>, Meeting>;
 
@@ -124,9 +124,7 @@ class Inspector {
     Meetings meetings;
     for (const RegionComplex::Border& border : complex_.borders) {
       if (border.beyond < border.label) continue;  // the outside, or counted from the other side
-      Meeting& meeting = meetings[{border.label, border.beyond}];
-      ++meeting.count;
-      addBeside(border, meeting.triangles);
+      meetings[{border.label, border.beyond}].borders.push_back(&border);
       if (border.fromVertex >= 0) continue;
       std::vector<int> triangles;
       addBeside(border, triangles);
@@ -136,12 +134,16 @@ class Inspector {
     }
     for (int v = 0; v < static_cast<int>(complex_.vertices.size()); ++v)
       countMeetingsAt(v, meetings);
-    for (const auto& [labels, meeting] : meetings)
-      if (meeting.count > 1)
-        add(Violation::kTwoMeetTwice, {labels.first, labels.second},
-            regions({labels.first, labels.second}) + " meet in " + std::to_string(meeting.count) +
-                " places",
-            meeting.triangles);
+    for (const auto& [labels, meeting] : meetings) {
+      const size_t count = meeting.borders.size() + meeting.vertices.size();
+      if (count == 1) continue;
+      std::vector<int> triangles;
+      for (const auto* border : meeting.borders) addBeside(*border, triangles);
+      for (const int v : meeting.vertices) addAround(v, triangles);
+      add(Violation::kTwoMeetTwice, {labels.first, labels.second},
+          regions({labels.first, labels.second}) + " meet in " + std::to_string(count) + " places",
+          std::move(triangles));
+    }
   }
 
   /// Counts pairs of regions that meet at a vertex, but in none of the arcs that end there.
@@ -156,11 +158,8 @@ class Inspector {
     const auto labels = labelSet(v);
     for (size_t i = 0; i < labels.size(); ++i)
       for (size_t k = i + 1; k < labels.size(); ++k)
-        if (!inArcs.contains({labels[i], labels[k]})) {
-          Meeting& meeting = meetings[{labels[i], labels[k]}];
-          ++meeting.count;
-          addAround(v, meeting.triangles);
-        }
+        if (!inArcs.contains({labels[i], labels[k]}))
+          meetings[{labels[i], labels[k]}].vertices.push_back(v);
   }
 
   /// Finds pairs of vertices that have three or more regions in common. Only vertices that share
@@ -206,17 +205,19 @@ class Inspector {
       }
       if (labels.size() >= 3) continue;
       makeSet(labels);
-      add(Violation::kFewRuns, labels, "a loop of the mesh boundary passes only " + regions(labels),
-          std::move(triangles));
+      addFewRuns(labels, std::move(triangles));
     }
     for (const RegionComplex::Border& border : complex_.borders) {
       if (border.beyond != RegionComplex::kOutside || border.fromVertex >= 0) continue;
       std::vector<int> triangles;
       addBeside(border, triangles);
-      add(Violation::kFewRuns, {border.label},
-          "a loop of the mesh boundary passes only " + regions({border.label}),
-          std::move(triangles));
+      addFewRuns({border.label}, std::move(triangles));
     }
+  }
+
+  void addFewRuns(const std::vector<int>& labels, std::vector<int> triangles) {
+    add(Violation::kFewRuns, labels, "a loop of the mesh boundary passes only " + regions(labels),
+        std::move(triangles));
   }
 
   void inspectDual() {

@@ -45,6 +45,7 @@ void SidePoints::gatherSides(int firstCell) {
     for (std::size_t i = 0; i < cell.size(); ++i)
       sides_.emplace_back(vertexOfPoint_[cell[i]], vertexOfPoint_[cell[(i + 1) % cell.size()]]);
   }
+  std::sort(sides_.begin(), sides_.end());
 }
 
 /// Follows a mixed face's halfedge from its tail to its tip, along the sides of cells that have no
@@ -55,17 +56,16 @@ void SidePoints::followSide(int h) {
   int at = mesh_.tail(h);
   if (hasSide(at, tip)) return;
   for (int steps = 0; at != tip && steps < static_cast<int>(sides_.size()); ++steps) {
-    const auto next = std::find_if(sides_.begin(), sides_.end(), [&](const auto& side) {
-      return side.first == at && !hasSide(side.second, at);
-    });
-    if (next == sides_.end()) return;
+    auto next = std::lower_bound(sides_.begin(), sides_.end(), std::pair(at, -1));
+    while (next != sides_.end() && next->first == at && hasSide(next->second, at)) ++next;
+    if (next == sides_.end() || next->first != at) return;
     at = next->second;
     if (at != tip) points_.push_back({mesh_.twin(h), -steps, at});
   }
 }
 
 bool SidePoints::hasSide(int from, int to) const {
-  return std::find(sides_.begin(), sides_.end(), std::pair(from, to)) != sides_.end();
+  return std::binary_search(sides_.begin(), sides_.end(), std::pair(from, to));
 }
 
 }  // namespace gvd

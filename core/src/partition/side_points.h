@@ -41,7 +41,7 @@ class SidePoints {
   const std::vector<int>& vertexOfPoint_;
 
   SlicedSequence sequence_;
-  std::vector<std::pair<int, int>> sides_;  ///< of the cells of the current face
+  std::vector<std::pair<int, int>> sides_;  ///< of the cells of the current face, ascending
   std::vector<Point> points_;               ///< ascending by halfedge and order
   std::size_t next_ = 0;                    ///< point
 };

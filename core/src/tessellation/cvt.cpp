@@ -60,7 +60,7 @@ SurfacePoint offVertex(SurfacePoint p) {
 struct State {
   std::vector<SurfacePoint> sites;
   std::vector<Vector2d> frames;  ///< x axis of each site's frame, in the frame of its face
-  std::vector<double> moves;     ///< length of each site's last move
+  double largestMove = 0;        ///< of its sites, from their places before
   std::shared_ptr<const DistanceField> distances;
   Diagram diagram;
   CvtEnergy energy;
@@ -188,8 +188,7 @@ class Cvt::Solver {
     const bool isFirst = !accepted_.distances;
     std::swap(accepted_, trial_);
     iteration_.energy = accepted_.energy.energy;
-    iteration_.largestMove =
-        isFirst ? 0 : *std::max_element(accepted_.moves.begin(), accepted_.moves.end());
+    iteration_.largestMove = accepted_.largestMove;
     if (!isFirst && !hasNewPlaces())
       isDone_ = fall <= options_.energyTolerance * before ||
                 iteration_.largestMove <= options_.moveTolerance;
@@ -242,7 +241,7 @@ class Cvt::Solver {
     search_.step = step;
     trial_.sites = accepted_.sites;
     trial_.frames = accepted_.frames;
-    trial_.moves.assign(siteCount(), 0.0);
+    trial_.largestMove = 0;
     for (int l = 0; l < siteCount(); ++l)
       if (hasNewPlaces() && newPlaces_[l].face >= 0)
         trial_.sites[l] = newPlaces_[l];
@@ -256,7 +255,7 @@ class Cvt::Solver {
         mesh_, accepted_.sites[label], turnedBy(step, accepted_.frames[label]), AtBoundary::kSlide);
     trial_.sites[label] = offVertex(way.end);
     trial_.frames[label] = turnedBy(accepted_.frames[label], way.frame).normalized();
-    trial_.moves[label] = way.length;
+    trial_.largestMove = std::max(trial_.largestMove, way.length);
   }
 
   /// Shortens a step that did not lower the energy enough, to the minimum of a parabola, within

@@ -22,8 +22,8 @@ class DiskGrid {
   /// of the face, as unfolding has it, is |(x, y)|² plus a linear function of x and y.
   using Distances = Eigen::Vector3d;
 
-  /// Rectangles are about as wide as `width`, or wider where there would be more than 2^18 of them
-  /// besides one per face.
+  /// Rectangles are about `width` wide, or wider, so that there are about 2^18 at most besides one
+  /// per face.
   DiskGrid(const TriangleMesh& mesh, double width);
 
   /// Makes room for the disks; true when there is.

@@ -154,7 +154,7 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
   const TriangleMesh& mesh_;
   const std::optional<int> count_;
   double radius_;
-  double reachedRadius_ = 0;  ///< the radius that the sweep reaches farther than
+  double reachedRadius_ = 0;  ///< the radius that `setReach` was last done for
   std::mt19937_64 random_;
 
   SlicedSequence sequence_, spread_;

@@ -7,7 +7,6 @@
 #include <memory>
 #include <optional>
 #include <queue>
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -17,7 +16,6 @@
 #include "distance/dgpc/unfolding_sweep.h"
 #include "gvd/geodesic.h"
 #include "gvd/sampling.h"
-#include "mesh/point_drawing.h"
 #include "mesh/representations.h"
 #include "tessellation/vertex_covering.h"
 
@@ -28,9 +26,11 @@ namespace {
 class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
  public:
   FarthestSampling(const TriangleMesh& mesh, int count, std::uint64_t seed, double coveringRadius)
-      : mesh_(mesh), count_(count), seed_(seed), coveringRadius_(coveringRadius), sweep_(mesh) {
-    requireCount(count);
-  }
+      : mesh_(mesh),
+        count_(count),
+        coveringRadius_(coveringRadius),
+        sweep_(mesh),
+        first_(startUniform(mesh, std::min(count, 1), seed)) {}
 
   bool advance(long budget) override {
     return sequence_.run(
@@ -39,17 +39,15 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
                 [&](int v) {
                   queue_.push({kInfinity, -v});
                 }),
-        [&] { return sweep_.prepare(budget); },
-        [&] { return count_ == 0 || sumAreas(mesh_, sums_, budget); },
+        [&] { return sweep_.prepare(budget); }, [&] { return first_->step(budget); },
         [&] {
-          std::mt19937_64 random(seed_);
-          if (count_ > 0) add(drawPoint(random, sums_));
-          release(sums_);
+          for (const SurfacePoint& p : first_->take()) add(p);
         },
         [&] { return count_ == 0 || addOthers(budget); },
         [&] {
-          return coveringRadius_ == 0 || runPart(covering_, budget, mesh_, coveringRadius_,
-                                                 static_cast<size_t>(count_), points_);
+          return coveringRadius_ == 0 || isComplete() ||
+                 runPart(covering_, budget, mesh_, coveringRadius_, static_cast<size_t>(count_),
+                         points_);
         });
   }
   double share() const override {
@@ -101,12 +99,11 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
 
   const TriangleMesh& mesh_;
   const int count_;
-  const std::uint64_t seed_;
   const double coveringRadius_;
 
   SlicedSequence sequence_, spread_;
   dgpc::UnfoldingSweep sweep_;
-  std::vector<double> sums_;                           ///< of the areas of faces
+  std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> first_;
   std::vector<double> least_;                          ///< from the nearest point, per vertex
   std::priority_queue<std::pair<double, int>> queue_;  ///< vertices negated: the lowest first
   std::vector<SurfacePoint> points_;

@@ -106,7 +106,7 @@ class WorstRegions::Update final : public SlicedSteps {
     for (const int label : labels_) isChanged_[label] = true;
   }
 
-  /// Takes all from a region but its shares in faces that have not changed.
+  /// Empties a region but for its shares in unchanged faces.
   void clear(int i) {
     Region& region = of_.regions_[labels_[i]];
     region = {part_.regionArea[i], 0, std::move(region.shares), {}};
@@ -265,7 +265,7 @@ class WorstFirstSampling final : public SlicedWork<std::vector<SurfacePoint>> {
         points_(sampleUniform(mesh, std::min(count, 1), seed)) {}
 
   bool advance(long budget) override {
-    if (count_ == 0) return true;
+    if (isComplete()) return true;
     return sequence_.run(
         [&] {
           if (!making_) making_ = DynamicDiagram::start(mesh_, points_);
@@ -282,7 +282,7 @@ class WorstFirstSampling final : public SlicedWork<std::vector<SurfacePoint>> {
           regions_ = listing_->take();
           listing_.reset();
           first_ = {};
-          if (!isComplete()) addPoint();
+          addPoint();
         },
         [&] { return insertOthers(budget); });
   }

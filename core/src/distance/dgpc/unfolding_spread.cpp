@@ -45,7 +45,10 @@ bool UnfoldingSpread::step(long& budget) {
 
 /// Indexes the vertices of a label, unless they are indexed already.
 void UnfoldingSpread::index(int label) {
-  if (std::exchange(indexed_, label) != label) index_.reset(labels_[label].vertices);
+  if (indexed_ == label) return;
+  indexed_ = -1;  // if memory runs out
+  index_.reset(labels_[label].vertices);
+  indexed_ = label;
 }
 
 void UnfoldingSpread::store() {
@@ -117,11 +120,11 @@ void UnfoldingSpread::requireVertex(LabelState& state, int vertex) {
   index_.append(vertex);
 }
 
-/// Required vertices without a swept neighbour are there where edges are much longer than
-/// distances. Their distances come from sweeps that reach twice as far each time, whatever the
-/// bounds are. A vertex gets its distance from the first that reaches beyond it, so that the result
-/// does not depend on what else is required. Takes the distances from such a sweep, and begins the
-/// next one if some are still missing.
+/// Required vertices may have no swept neighbour where edges are much longer than distances. Their
+/// distances come from sweeps that reach twice as far each time, whatever the bounds are. A vertex
+/// gets its distance from the first that reaches beyond it, so that the result does not depend on
+/// what else is required. Takes the distances from such a sweep, and begins the next one if some
+/// are still missing.
 void UnfoldingSpread::takeRequired() {
   const double reach = *sweep_.reach();
   LabelState& state = labels_[running_];

@@ -84,9 +84,9 @@ std::span<const OppositeSide> FanBehind::sides(int vertex, int arrival, double f
   const double share = (foot + fromFoot) / face.lengths[cornerAfter(i)];
   const double toPrevious = share * face.lengths[cornerBefore(i)];
   Vector2d back((1 - share) * face.lengths[i] + toPrevious * c, toPrevious * s);
-  // A path that leaves by less than π on one side is longer than the shortest one by half the
-  // square of what it lacks, times the length of its last piece. Up to this angle, rounding may
-  // take the one for the other, so the fan is wider by it. None of its paths is too short.
+  // A path that leaves at π - a on one side is longer than the shortest one by a² / 2 times the
+  // length of its last piece. Up to `angle`, that is within rounding, so the fan is wider by it.
+  // None of its paths is too short.
   const double angle = std::min(kMostTurned, std::sqrt(2 * rounding_ / back.norm()));
   back.normalize();
   const auto widened = [&](double x, double y) { return Vector2d(x - angle * y, y + angle * x); };

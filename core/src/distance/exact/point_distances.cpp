@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "mesh/face_layout.h"
+#include "distance/path_points.h"
 #include "mesh/representations.h"
 
 namespace gvd::exact {
@@ -108,7 +108,7 @@ void PointDistances::startLabel() {
   required_.clear();
   for (const int i : byLabel_.items(label_)) {
     const SurfacePoint& p = points_[i].point;
-    required_.push_back({p, straightTo(label_, p), nearestAtLeast(p)});
+    required_.push_back({p, lengthBetween(mesh_, p, sites_[label_]), nearestAtLeast(p)});
   }
   sweep_->start(label_, state_, required_);
 }
@@ -138,17 +138,6 @@ double PointDistances::nearestAtLeast(const SurfacePoint& p) const {
     nearest =
         std::max(nearest, bounds_[face.vertices[i]].distance - distanceToCorner(face, p.bary, i));
   return nearest;
-}
-
-/// The distance from a site in the face of a point, infinity if the site is in another one.
-double PointDistances::straightTo(int label, const SurfacePoint& p) const {
-  double least = kInfinity;
-  visitRepresentations(mesh_, p, [&](const SurfacePoint& place) {
-    for (const FaceSite& site : sites_.inFace(place.face))
-      if (site.label == label)
-        least = std::min(least, layOut(mesh_.face(place.face), 0, place.bary - site.bary).norm());
-  });
-  return least;
 }
 
 }  // namespace gvd::exact

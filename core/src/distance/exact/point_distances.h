@@ -35,7 +35,7 @@ class FoundDistances {
              std::tie(b.face, b.bary[0], b.bary[1], b.bary[2]);
     }
   };
-  /// Per label, by point: a point on an edge is another one in the face beyond.
+  /// Per label, by point; on an edge, in one face only (`unique`).
   std::vector<std::map<SurfacePoint, double, Order>> ofLabel_;
 };
 
@@ -61,20 +61,19 @@ class PointDistances final : public SlicedWork<std::vector<double>> {
   void requirePoints();
   void finishLabel();
   double nearestAtLeast(const SurfacePoint& p) const;
-  double straightTo(int label, const SurfacePoint& p) const;
 
   const TriangleMesh& mesh_;
   const SiteSet& sites_;
   NearestBounds& bounds_;
   FoundDistances& found_;
-  /// Once they are sorted out, those at which the distance has not been found before.
+  /// Later only the open ones: not found before.
   std::vector<LabelledPoint> points_;
   std::unique_ptr<WindowSweep>& spare_;
   std::unique_ptr<WindowSweep> sweep_;  ///< null while no point is open
   SlicedSequence sequence_;
   std::vector<double> distances_;
-  std::vector<int> open_;  ///< the indices in `distances_` of these
-  Grouping byLabel_;       ///< their indices in `points_`, by label
+  std::vector<int> open_;  ///< the open points' indices in `distances_`
+  Grouping byLabel_;       ///< of open points in `points_`, by label
   size_t doneCount_ = 0;   ///< of these
 
   int label_ = 0;  ///< the current one

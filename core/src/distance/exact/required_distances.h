@@ -36,7 +36,7 @@ class RequiredDistances {
   struct Paths {
     Eigen::Vector3f place;
     float reach;   ///< the radius of the neighbourhood, less the least length of the paths up to it
-    float excess;  ///< the least one over the distance of the nearest label
+    float excess;  ///< their least excess over the nearest label's distance
   };
 
   explicit RequiredDistances(const TriangleMesh& mesh)
@@ -152,8 +152,8 @@ class RequiredDistances {
     }
     /// By how much paths miss a gain, at least: in distance or in excess, whichever is more.
     float slack(const Paths& p) const;
-    /// By how much the slack of any paths is less at a place of another block than at the place
-    /// here that tells most: distances to the two places differ by that between them, at most.
+    /// How much less, at most, the slack of any paths is at a place of `to` than at a place here
+    /// (triangle inequality): the least of the bounds by the four places.
     float leastApproach(const Block& to, int lane) const;
   };
 

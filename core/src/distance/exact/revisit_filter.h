@@ -16,11 +16,10 @@ namespace gvd::exact {
 /// 1986). Without the filter, windows wind around spikes and thin tubes as often as the faces there
 /// are longer than a turn.
 ///
-/// To look at every window would take longer than to let it spread. So windows are looked at where
-/// they enter needles, and with the labels that cross far more faces than usual; and no longer, on
-/// average, than it takes to spread them: what winds is found within a few turns. Chance chooses
-/// the windows: those that wind come in turn with others, and a regular choice may always miss
-/// them.
+/// To follow every window back would take longer than to let it spread. Windows are followed back
+/// where they enter needles, and with labels that cross far more faces than usual: at first all;
+/// later, by chance, one in as many as faces were crossed for the last one. Those that wind come in
+/// turn with others, so a regular choice may always miss them.
 class RevisitFilter {
  public:
   explicit RevisitFilter(const TriangleMesh& mesh);
@@ -50,9 +49,9 @@ class RevisitFilter {
   /// A label that crosses more halfedges per vertex than this may wind around something. Over a
   /// scanned surface, one label crosses 3.5 per vertex.
   static constexpr size_t kMostCrossingsPerVertex = 30;
-  /// All windows are followed back until they were so across so many faces in all: enough for every
-  /// label to be looked at throughout but on meshes with thousands of needles beside each other,
-  /// where millions of windows tie.
+  /// All windows are followed back until so many faces were crossed for them: enough for all
+  /// windows of a label, but on meshes with thousands of needles beside each other, where millions
+  /// of windows tie.
   static constexpr long kFirstBacktracks = 1 << 17;
 
   bool dropsSuspicious(const Window& w, int halfedge);

@@ -40,9 +40,9 @@ class SiteSearch {
   /// The sites found, except those on vertices: these are at distance 0 from their vertex.
   std::span<const LabelledDistance> found() const { return found_; }
 
-  /// The largest distance of a vertex from the point with which some path over the vertex may be as
-  /// short as the shortest known one, ties included. Along an edge that ends at the vertex, the
-  /// limit rises by the way from the vertex.
+  /// How far a vertex may be from the point for a path over it to be no longer than the shortest
+  /// known one, ties included. Along an edge that ends at the vertex, the limit rises by the way
+  /// from the vertex.
   double mostAt(int vertex) const { return ties_.mostTying(shortest_) - bounds_->atLeast(vertex); }
   /// Offers the path over a vertex at this distance from the point.
   void offerVertex(int vertex, double distance) {

@@ -53,9 +53,9 @@ class WindowPath {
   int sourceAt(const Piece& piece) const;
   bool leadsOn(int vertex, double distance) const;
   /// The corner of the last point's faces over which the path on from there is shortest.
-  int nextCorner() const {
+  CornerOnPath nextCorner() const {
     const auto at = [&](int vertex) { return distanceAt(vertex); };
-    return bestCorner(mesh_, points_.last(), bound_, at).vertex;
+    return bestCorner(mesh_, points_.last(), bound_, at);
   }
 
   double distanceAt(int vertex) const { return index_.distanceIn(state_.vertices, vertex); }
@@ -80,9 +80,7 @@ WindowPath::WindowPath(const TriangleMesh& mesh, const SurfacePoint& site, const
                        const ReachedIndex& index, const SurfacePoint& p)
     : mesh_(mesh), state_(state), points_(mesh, site), index_(index) {
   points_.add(p);
-  visitCornersAround(mesh_, p, [&](int vertex, double length, const SurfacePoint&) {
-    least_ = std::min(least_, distanceAt(vertex) + length);
-  });
+  least_ = nextCorner().length;
 }
 
 void WindowPath::offer(const Window& w, int halfedge, const SurfacePoint& place) {
@@ -98,7 +96,7 @@ std::vector<SurfacePoint> WindowPath::take() {
   int vertex = vertexAt(mesh_, points_.last());
   if (vertex < 0) {
     if (points_.endAtSite()) return points_.take();
-    vertex = first_.line.halfedge >= 0 ? follow(first_) : nextCorner();
+    vertex = first_.line.halfedge >= 0 ? follow(first_) : nextCorner().vertex;
   }
   while (vertex >= 0) {
     points_.add(pointAtVertex(mesh_, vertex));
@@ -145,7 +143,7 @@ int WindowPath::follow(Piece piece) {
         !points_.isBesideSite(pointOnHalfedge(mesh_, line.halfedge, line.along)))
       break;
   }
-  return nextCorner();
+  return nextCorner().vertex;
 }
 
 /// The apex of the face that a line has entered, if the line ends there; else -1.

@@ -30,8 +30,8 @@ long WindowSweep::require(int label, LabelState& state, std::span<const int> fac
   }
 
   // Good first distances leave few windows that have to go on. They come along the sides of the
-  // faces, and from windows that wait at a face with a required corner. Some corner is always
-  // known: a label that owns part of a face has its site there, or owns a corner, or is known at
+  // faces, and from windows that wait at a face with a required corner. Some corner is always known
+  // of a label that owns part of the face: it has its site there, owns a corner, or is known at
   // both ends of a side.
   if (required_.hasRecent()) {
     // First distances tell how near the places have come.
@@ -140,9 +140,8 @@ void WindowSweep::start(int label, LabelState& state, std::span<const RequiredPo
 }
 
 void WindowSweep::require(int label, LabelState& state, std::span<const RequiredPoint> points) {
-  beginToRequire(label, state);
-  // No window has been compared with these places.
-  required_.clear();
+  begin(label, SpreadTo::kRequired, state);
+  vertices_.load(state);
   state.waiting.asleep = 0;
   points_.set(points, vertices_);
   for (const WaitingWindow& w : state.waiting.windows) points_.offer(w.window, w.halfedge);

@@ -93,20 +93,13 @@ class WindowSpread::OneLabel final : public SearchBounds {
 std::vector<LabelledDistance> WindowSpread::nearestAt(const SurfacePoint& p,
                                                       const DistanceField& known, long& budget) {
   std::vector<LabelledDistance> labels;
-  const auto offer = [&](int label, double distance) {
-    const auto found = std::find_if(labels.begin(), labels.end(),
-                                    [&](const LabelledDistance& d) { return d.label == label; });
-    if (found == labels.end())
-      labels.push_back({label, distance});
-    else
-      found->distance = std::min(found->distance, distance);
-  };
   const LabelState fromPoint = sweep_.search(p, NearestLabels(bounds_), budget);
-  for (const LabelledDistance& site : sweep_.searched().found()) offer(site.label, site.distance);
+  for (const LabelledDistance& site : sweep_.searched().found()) labels.push_back(site);
   for (const ReachedVertex& r : fromPoint.vertices)
     if (bounds_.ties().isAtMost(r.distance + bounds_[r.vertex].distance,
                                 sweep_.searched().shortest()))
-      for (const LabelledDistance& d : known.at(r.vertex)) offer(d.label, r.distance + d.distance);
+      for (const LabelledDistance& d : known.at(r.vertex))
+        labels.push_back({d.label, r.distance + d.distance});
   return labels;
 }
 

@@ -103,7 +103,7 @@ class WindowSweep {
   /// The straight line of a window to the apex of its face.
   struct LineToApex {
     double crossing;  ///< where it crosses the halfedge
-    double length;    ///< of the path along it, -infinity unless lines pass the apex on both sides
+    double length;    ///< of the path along it; -infinity at or beyond the window's ends
   };
   /// A side through which windows leave a face, as a halfedge of the face beyond.
   struct Portal {
