@@ -244,6 +244,30 @@ TEST(Dgpc, NeighboursDoNotLowerTheirDistancesByTurns) {
 
 /// On edges, where a label is known at both ends, whichever label is nearer in between; and inside
 /// faces.
+/// Sites on edges, each named in either face. DGPC once gave one of them two distances at a vertex,
+/// 5 % apart: where other sites stop a site, distances depend on the order of its vertices.
+TEST_P(Metrics, DoNotDependOnTheFaceThatNamesASite) {
+  const TriangleMesh mesh = shapes::grid(3, 4).mesh();
+  const std::vector<SurfacePoint> sites = {
+      {13, {0.25, 0.75, 0}}, {13, {0.5, 0.5, 0}}, {23, {0.75, 0, 0.25}}};
+  const std::vector<SurfacePoint> same = {
+      {12, {0.25, 0, 0.75}}, {12, {0.5, 0, 0.5}}, {20, {0, 0.75, 0.25}}};
+  const auto expected = finished(propagate(mesh, sites, GetParam()));
+  for (int named = 0; named < 8; ++named) {
+    std::vector<SurfacePoint> mixed = sites;
+    for (int i = 0; i < 3; ++i)
+      if ((named >> i & 1) != 0) mixed[i] = same[i];
+    const auto field = finished(propagate(mesh, mixed, GetParam()));
+    for (int v = 0; v < mesh.vertexCount(); ++v) {
+      ASSERT_EQ(field->at(v).size(), expected->at(v).size());
+      for (size_t k = 0; k < field->at(v).size(); ++k) {
+        EXPECT_EQ(field->at(v)[k].label, expected->at(v)[k].label);
+        EXPECT_NEAR(field->at(v)[k].distance, expected->at(v)[k].distance, 1e-12);
+      }
+    }
+  }
+}
+
 TEST(Distances, AtPointsAreThoseOfBruteForce) {
   for (int seed = 0; seed < 100; ++seed) {
     const TriangleMesh mesh = shapes::randomMesh(seed);

@@ -220,6 +220,26 @@ TEST(ExactPath, IsAsLongAsTheDistanceAcrossNeedles) {
       }
 }
 
+/// Across faces as thin as rounding, a line may pass a vertex on the wrong side.
+TEST(ExactPath, IsAsLongAsTheDistanceWhereLinesMissVertices) {
+  const auto check = [](const shapes::Shape& shape, const SurfacePoint& site,
+                        const SurfacePoint& p) {
+    const TriangleMesh mesh = shape.mesh();
+    EXPECT_GT(mesh.repairs().mollifiedTriangles, 0);
+    const auto field = fieldOf(mesh, {site}, Metric::kExact);
+    const double distance = field->nearest(p).distance;
+    EXPECT_NEAR(lengthOf(mesh, field->path(0, p)), distance, kTolerance * distance);
+  };
+  check(shapes::gradedDisk(29, 12, 0.23704349334795904),
+        {683, {3.9751855593537413e-15, 0.69514553940693524, 0.30485446059306076}},
+        {172, {0.87868458142357586, 0.0087586272786056574, 0.11255679129781848}});
+  check(shapes::gradedDisk(22, 6, 0.21892956296433008), {13, {0, 0, 1}},
+        {214, {0.12938328106953612, 0.59686678683303418, 0.2737499320974297}});
+  check(shapes::scaled(shapes::bumpySurface(0, 1, 0.6, 5049), {1, 1e-6, 1e-5}),
+        {8, {0.38440549676592461, 4.2119120942676014e-05, 0.61555238411313273}},
+        {15, {0, 0.86515342514673765, 0.13484657485326235}});
+}
+
 /// Around a box that is 1e-8 thick, to its vertices: the last piece to a vertex may be so short
 /// beside the halfedge that it crosses, and shows the way back to the site all the same.
 TEST(ExactPath, FollowsAShortLastPieceBack) {

@@ -130,7 +130,7 @@ class WorstRegions {
   /// done, and this is of no use if they are dropped unfinished.
   std::unique_ptr<SlicedSteps> startFollow(const DiagramChange& change);
   /// The place for one more site: in a component without a site, if there is one, otherwise the
-  /// vertex or outline point of the worst region that is farthest from its site.
+  /// vertex or outline point of the worst region that is farthest from the sites.
   const SurfacePoint& point() const { return point_; }
   /// The criterion for the worst region.
   WorstRegion kind() const { return worst_; }

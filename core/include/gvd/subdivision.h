@@ -12,8 +12,8 @@
 namespace gvd {
 
 struct SubdivisionOptions {
-  /// No side of a part is longer than this share of the bounding box's diagonal; above 0, at
-  /// most 1.
+  /// No side of a part is longer than this share of the bounding box's diagonal, that of all finite
+  /// vertices which triangles have; above 0, at most 1.
   double maxEdge = 1;
   int maxTriangles = 1 << 24;  ///< more are refused; positive
 };

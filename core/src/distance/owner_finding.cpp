@@ -11,6 +11,9 @@ void OwnerFinding::beginChange() {
   newlyFinal_.clear();
   ties_.clear();
   requirements_.clear();
+  doubtful_.clear();
+  isDoubtful_.clear();
+  droppedCount_ = 0;
   sequence_ = affecting_ = {};
 }
 
@@ -85,7 +88,7 @@ bool OwnerFinding::findAffected(long& budget) {
                for (int h = 3 * f; h < 3 * f + 3; ++h) changedVertices_.add(mesh_.tail(h));
              }),
       forAll(changedVertices_.list(), [&](int v) { doubtInterpolated(v); }),
-      [&] { dropDoubtful(); });
+      [&] { return dropDoubtful(budget); });
 }
 
 /// Notes that a label may not be known at a vertex any more.
@@ -104,17 +107,18 @@ void OwnerFinding::doubtInterpolated(int vertex) {
 
 /// Drops doubtful labels from the faces around their vertices, and doubts them at the other
 /// corners.
-void OwnerFinding::dropDoubtful() {
-  for (size_t i = 0; i < doubtful_.size(); ++i) {
-    const auto [vertex, label] = doubtful_[i];
+bool OwnerFinding::dropDoubtful(long& budget) {
+  for (; droppedCount_ < doubtful_.size(); ++droppedCount_) {
+    if (budget <= 0) return false;
+    const auto [vertex, label] = doubtful_[droppedCount_];
+    budget -= 1 + static_cast<long>(mesh_.fan(vertex).size()) / kQuickRounds;
     changedVertices_.add(vertex);
     mesh_.visitFaces(vertex, [&, label = label](int f) {
       if (affectedFaces_.contains(f) || !owners_.removeInterpolated(f, label)) return;
       for (int h = 3 * f; h < 3 * f + 3; ++h) doubt(mesh_.tail(h), label);
     });
   }
-  doubtful_.clear();
-  isDoubtful_.clear();
+  return true;
 }
 
 /// Finds the labels that tie at a changed vertex among those that were known there before.

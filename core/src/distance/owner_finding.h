@@ -64,7 +64,7 @@ class OwnerFinding {
   bool findAffected(long& budget);
   void doubt(int vertex, int label);
   void doubtInterpolated(int vertex);
-  void dropDoubtful();
+  bool dropDoubtful(long& budget);
   void findTies(int vertex);
   void addTie(const LabelAtVertex& tie);
 
@@ -85,6 +85,7 @@ class OwnerFinding {
   IndexSet changedVertices_;
   std::vector<LabelAtVertex> doubtful_;  ///< labels that may not be known any more
   std::set<std::pair<int, int>> isDoubtful_;
+  std::size_t droppedCount_ = 0;  ///< of `doubtful_`, those dropped already
   std::vector<Requirement> requirements_;
 };
 

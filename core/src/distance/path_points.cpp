@@ -29,6 +29,13 @@ double lengthBetween(const TriangleMesh& mesh, const SurfacePoint& a, const Surf
   return least;
 }
 
+std::vector<SurfacePoint> pathOrShortest(const TriangleMesh& mesh, std::vector<SurfacePoint> path,
+                                         double most, const SurfacePoint& from,
+                                         const SurfacePoint& site) {
+  if (!path.empty() && lengthOf(mesh, path) <= most) return path;
+  return shortestPath(mesh, from, site);
+}
+
 void PathPoints::add(const SurfacePoint& p) {
   if (points_.empty() || lengthBetween(mesh_, points_.back(), p) > 0) points_.push_back(p);
 }

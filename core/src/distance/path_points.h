@@ -21,6 +21,12 @@ SurfacePoint pointOnHalfedge(const TriangleMesh& mesh, int halfedge, double alon
 /// The length of the straight piece between two points of one face; infinity if no face has both.
 double lengthBetween(const TriangleMesh& mesh, const SurfacePoint& a, const SurfacePoint& b);
 
+/// A path to a site, or a new search for the shortest one if the path is longer than `most`, or
+/// none.
+std::vector<SurfacePoint> pathOrShortest(const TriangleMesh& mesh, std::vector<SurfacePoint> path,
+                                         double most, const SurfacePoint& from,
+                                         const SurfacePoint& site);
+
 /// An upper bound on the distance of a point: the length of the shortest path over a corner of the
 /// face that it is given in. `distanceAt(vertex)` is the distance of a corner.
 template <class DistanceAt>

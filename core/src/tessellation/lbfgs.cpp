@@ -12,7 +12,7 @@ using Eigen::VectorXd;
 void LbfgsMemory::learn(const VectorXd& step, const VectorXd& change) {
   constexpr double kLeastCosine = 1e-8;  // between a step and the change: the root of the rounding
   const double curvature = step.dot(change);
-  if (!(curvature > kLeastCosine * step.norm() * change.norm())) return;
+  if (!(curvature > kLeastCosine * step.stableNorm() * change.stableNorm())) return;
   if (steps_.size() == kSteps) steps_.pop_front();
   steps_.push_back({step, change, curvature});
 }

@@ -8,6 +8,7 @@
 #include "base/sliced_loop.h"
 #include "distance/dgpc/unfolding_path.h"
 #include "distance/labelled_distances.h"
+#include "distance/path_points.h"
 #include "mesh/surface_geometry.h"
 
 namespace gvd::dgpc {
@@ -221,9 +222,8 @@ std::vector<SurfacePoint> UnfoldingSpread::path(int label, const SurfacePoint& p
   index(label);
   const auto atVertex = [&](int v) { return index_.distanceIn(state.vertices, v); };
   const double most = (1 + kMostDetour) * distanceAt(label, p, atVertex);
-  auto path = pathByUnfolding(mesh_, sites_[label], atVertex, p);
-  if (!path.empty() && lengthOf(mesh_, path) <= most) return path;
-  return shortestPath(mesh_, p, sites_[label]);
+  return pathOrShortest(mesh_, pathByUnfolding(mesh_, sites_[label], atVertex, p), most, p,
+                        sites_[label]);
 }
 
 Eigen::Vector2d UnfoldingSpread::direction(int label, int index) const {

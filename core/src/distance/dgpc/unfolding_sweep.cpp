@@ -40,9 +40,18 @@ void UnfoldingSweep::start(const SurfacePoint& site, std::optional<double> reach
       offer(mesh_.tail(last), mesh_.length(last), unitVector(angle), kFromSite);
     return;
   }
+  const int side = incidence.side, twin = side >= 0 ? face.twins[side] : -1;
+  // Where a site stops, distances depend on the order in which vertices spread. So the faces come
+  // in one order, whichever of them names the site.
+  const bool isBeyondFirst = twin >= 0 && TriangleMesh::faceOf(twin) < site.face;
+  if (isBeyondFirst) startAcross(site, side);
   startInFace(site, {1, 0});
-  const int side = incidence.side;
-  if (side < 0 || face.twins[side] < 0) return;
+  if (twin >= 0 && !isBeyondFirst) startAcross(site, side);
+}
+
+/// Starts a site on a side in the face beyond the side.
+void UnfoldingSweep::startAcross(const SurfacePoint& site, int side) {
+  const TriangleMesh::Face& face = mesh_.face(site.face);
   // The direction of the side in the site's frame. In the face beyond, the side runs the other way,
   // and the first side of that face is turned from it by `firstSide`.
   const Vector2d along =

@@ -127,6 +127,7 @@ class UnfoldingSweep {
   };
 
   void startInFace(const SurfacePoint& site, const Eigen::Vector2d& firstSide);
+  void startAcross(const SurfacePoint& site, int side);
   /// Inlined, because most offers are no improvement.
   void offer(int vertex, double distance, const Eigen::Vector2d& direction, const Origin& origin) {
     if (distance < vertices_[vertex].limit) improve(vertex, distance, direction, origin);

@@ -7,10 +7,18 @@
 #include "base/plane.h"
 #include "base/sliced_loop.h"
 #include "distance/exact/window_path.h"
+#include "distance/path_points.h"
 #include "mesh/face_layout.h"
 #include "mesh/representations.h"
 
 namespace gvd::exact {
+namespace {
+
+/// How much longer than its distance a path may be by rounding, as a share: less than can be seen,
+/// and more than all vertices of a path add, each by `kSameLength` (window_path.cpp) at most.
+constexpr double kPathRounding = 1e-9;
+
+}  // namespace
 
 WindowSpread::WindowSpread(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds)
     : mesh_(mesh),
@@ -109,25 +117,36 @@ std::unique_ptr<SlicedWork<std::vector<double>>> WindowSpread::startDistancesAt(
                                           std::move(points));
 }
 
+/// A new search for the path if that followed back is too long: where faces are as thin as
+/// rounding, a line may pass a vertex on the wrong side, and then misses its source.
+std::vector<SurfacePoint> WindowSpread::path(int label, const SurfacePoint& p) {
+  const FoundPath found = followedBack(label, p);
+  return pathOrShortest(mesh_, found.points, (1 + kPathRounding) * found.distance, p,
+                        sites_[label]);
+}
+
 /// Windows that have crossed their faces are not kept, so a search from the point finds paths
 /// through them (`pathBack`). Where another label is nearer, the path may lead through a waiting
 /// window instead, which then spreads on to the point.
-std::vector<SurfacePoint> WindowSpread::path(int label, const SurfacePoint& p) {
+WindowSpread::FoundPath WindowSpread::followedBack(int label, const SurfacePoint& p) {
   const LabelState& state = labels_[label];
-  if (vertexAt(mesh_, p) >= 0) return pathToSite(mesh_, sites_[label], state, p, index_);
+  if (const int vertex = vertexAt(mesh_, p); vertex >= 0)
+    return {pathToSite(mesh_, sites_[label], state, p, index_),
+            index_.distanceIn(state.vertices, vertex)};
   long budget = kUnlimited;
   sweep_.search(p, NearestLabels(bounds_), budget);
   const double nearest = sweep_.searched().shortest();
-  std::vector<SurfacePoint> path = pathBack(p, label, state);
-  if (bounds_.ties().isAtMost(sweep_.searched().shortest(), nearest)) return path;
+  const std::vector<SurfacePoint> path = pathBack(p, label, state);
   const double least = sweep_.searched().shortest();
+  if (bounds_.ties().isAtMost(least, nearest)) return {path, least};
   LabelState further = state;
   const RequiredPoint point = {p, least, nearest};
   sweep_.require(label, further, {&point, 1});
   budget = kUnlimited;
   sweep_.step(budget);
-  if (bounds_.ties().isAtMost(least, sweep_.distanceAtPoint(0))) return path;
-  return pathToSite(mesh_, sites_[label], further, p, index_);
+  const double distance = sweep_.distanceAtPoint(0);
+  if (bounds_.ties().isAtMost(least, distance)) return {path, least};
+  return {pathToSite(mesh_, sites_[label], further, p, index_), distance};
 }
 
 /// The shortest path from a point through windows by which a label has crossed faces: straight to

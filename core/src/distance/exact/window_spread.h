@@ -46,7 +46,13 @@ class WindowSpread final : public LabelSpread {
  private:
   class NearestLabels;
   class OneLabel;
+  /// The distance of a label at a point, and the path to its site as it was followed.
+  struct FoundPath {
+    std::vector<SurfacePoint> points;
+    double distance;
+  };
   LabelState& stateOf(int label);
+  FoundPath followedBack(int label, const SurfacePoint& p);
   std::vector<SurfacePoint> pathBack(const SurfacePoint& p, int label, const LabelState& state);
 
   const TriangleMesh& mesh_;
