@@ -201,12 +201,15 @@ export async function browserForTests(documents, options) {
 export class ViewerPage {
   /** What the console says of errors and warnings, exceptions and violated policies included. */
   complaints = [];
+  /** How a question of the page is answered. */
+  answer = (dialog) => dialog.accept();
 
   /** Without what is expected, and what a driver says of the pictures that tests take. */
   constructor(page, expected = /(?!)/) {
     this.page = page;
     const isExpected = (text) =>
       expected.test(text) || text.includes('GPU stall due to ReadPixels');
+    page.on('dialog', (dialog) => this.answer(dialog));
     page.on('pageerror', (error) => this.complaints.push(String(error.stack ?? error)));
     page.on('console', (message) => {
       if (['error', 'warning'].includes(message.type()) && !isExpected(message.text()))

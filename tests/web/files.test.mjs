@@ -277,6 +277,32 @@ suite('files', () => {
     const sites = { mesh: { faces: 9 }, face: [8, 1], bary: [1, 0, 0, 0, 1, 0] };
     await own.after('diagram', () => own.choose({ 's.json': JSON.stringify(sites) }));
     assert.deepEqual((await own.sites()).face, [8, 1]);
+    const note = own.page.locator('#note-text');
+    assert.equal(
+      await note.textContent(),
+      'The sites have been replaced by the 2 points of the file.',
+    );
+    await own.choose({ 's.json': JSON.stringify(sites) });
+    await note.filter({ hasText: /^s\.json has the sites that are shown\.$/ }).waitFor();
+  });
+
+  test('a file that cannot be made without the server is told of in a sentence', async () => {
+    const offline = await browser.open({
+      complaint: /ERR_FAILED/,
+      prepare: (page) => page.route(/\/exports-/, (route) => route.abort()),
+    });
+    await offline.page.click('#download-button');
+    await offline.page.click('#download-sites-json');
+    const error = offline.page.locator('#error-text');
+    await error
+      .filter({
+        hasText:
+          /^The file cannot be made: A part of this page cannot be fetched: try again when the server answers\.$/,
+      })
+      .waitFor();
+    await offline.page.keyboard.press('Escape');
+    assert.equal(await error.isVisible(), false, 'Escape closes it');
+    await offline.close();
   });
 
   test('outlines are what is seen of the bisectors', async () => {

@@ -462,20 +462,27 @@ suite('first sight', () => {
     );
     await kept(/model=mine\.glb&.*weld=1e-6/);
     const own = await viewer.sites();
-    const back = page.evaluate(() => history.back());
-    const question = await new Promise((resolve) => page.once('dialog', resolve));
-    assert.match(question.message(), /^Leave mine\.glb\?/);
-    await question.dismiss();
-    await back;
+    /** Does what the page asks about, with this answer. */
+    const asked = async (act, answer) => {
+      const question = new Promise((resolve) => (viewer.answer = resolve));
+      const acted = act();
+      const dialog = await question;
+      await dialog[answer]();
+      await acted;
+      return dialog;
+    };
+    const leaving = await asked(() => page.evaluate(() => history.back()), 'dismiss');
+    assert.match(leaving.message(), /^Leave mine\.glb\?/);
     await kept(/model=mine\.glb&.*weld=1e-6/); // Stay: the address tells of what is shown.
     assert.deepEqual((await viewer.sites()).face, own.face);
+    // Neither is it left for another model without a question.
+    const chosen = await asked(() => page.selectOption('#samples', 'torus.glb'), 'dismiss');
+    assert.match(chosen.message(), /^Leave mine\.glb\?/);
+    assert.match(await page.locator('#samples option:checked').textContent(), /mine\.glb/);
+    assert.deepEqual((await viewer.sites()).face, own.face);
     // The file is lost, and asked for again; its sites are not.
-    const asked = new Promise((resolve) => page.once('dialog', resolve));
-    const reloading = page.reload();
-    const dialog = await asked;
-    assert.equal(dialog.type(), 'beforeunload');
-    await dialog.accept();
-    await reloading;
+    const reloaded = await asked(() => page.reload(), 'accept');
+    assert.equal(reloaded.type(), 'beforeunload');
     await page.locator('#note-text', { hasText: 'This link is of mine.glb' }).waitFor();
     await viewer.settled();
     await viewer.after('diagram', () => viewer.choose(ownFile));

@@ -370,6 +370,19 @@ suite('the page', () => {
     assert.equal(message, 'The folder model cannot be read: it is gone.');
   });
 
+  test('distances that are drawn go with their model, not later', async () => {
+    await viewer.after('distances', () => viewer.set({ layers: ['regions', 'distances'] }));
+    await viewer.evaluate((viewer) => {
+      viewer.seen = [];
+      const see = ({ type, detail }) => viewer.seen.push(type, type === 'load' || detail === null);
+      for (const type of ['distances', 'load']) viewer.addEventListener(type, see);
+    });
+    await viewer.after('diagram', () => choose({ 'grid 3.obj': meshObj(grid(3)) }));
+    const seen = await viewer.evaluate(({ seen }) => seen.slice(0, 4));
+    assert.deepEqual(seen, ['distances', true, 'load', true]);
+    await viewer.set({ layers: ['regions', 'sites', 'bisectors'] });
+  });
+
   test('a vertex that is nowhere is told of, and nothing complains', async () => {
     const { positions, indices } = octahedron();
     const obj = meshObj({ positions: [...positions, NaN, 0, 0], indices: [...indices, 0, 1, 6] });

@@ -10,6 +10,7 @@ import { byId } from './base/dom.js';
 import { showFailure } from './base/messages.js';
 import { modelOf } from './samples/first_model.js';
 import { setUpAddress } from './state/address.js';
+import { Edits } from './state/edits.js';
 import { setUpFirstSight } from './state/first_sight.js';
 import { setUpMeshReport } from './model/mesh_report.js';
 import { setUpModelChoice } from './model/model_choice.js';
@@ -24,6 +25,9 @@ import { setUpToolbar } from './controls/toolbar.js';
 import { setUpViewControls } from './controls/view_controls.js';
 import { CvtReadings } from './readings/cvt_readings.js';
 import { setUpFeedback } from './readings/feedback.js';
+
+/** How long after the first diagram the rest of the page is fetched, in milliseconds. */
+const restMilliseconds = 2000;
 
 /** Sets up the page; the fetches of the modules and of the first model have begun already. */
 export function setUpPage(
@@ -40,12 +44,13 @@ export function setUpPage(
   });
   const viewer = byId('viewer', GeodesicVoronoiElement);
   setUpFeedback(viewer);
-  setUpModelChoice(viewer);
+  const edits = new Edits(viewer);
+  setUpModelChoice(viewer, edits);
   setUpMeshReport(viewer);
   setUpSizeWarning(viewer);
   const readings = new CvtReadings(viewer);
   setUpFirstSight(viewer, readings);
-  setUpAddress(viewer);
+  setUpAddress(viewer, edits);
   setUpSiteControls(viewer);
   setUpCvtControls(viewer, readings);
   setUpDensityControls(viewer);
@@ -55,6 +60,19 @@ export function setUpPage(
   keepFocus(viewer);
   setUpSheet();
   viewer.addEventListener('load', () => void addMenus(viewer), { once: true });
+  viewer.addEventListener('diagram', () => setTimeout(fetchTheRest, restMilliseconds), {
+    once: true,
+  });
+}
+
+/** Fetches what opening and saving files needs, which should do without the server later on. */
+function fetchTheRest(): void {
+  const scripts = [
+    import('./model/sites_file.js'),
+    import('./model/own_models.js'),
+    import('./menus/exports.js'),
+  ];
+  for (const script of scripts) script.catch(() => {}); // it is tried again when it is needed
 }
 
 async function addMenus(viewer: GeodesicVoronoiElement): Promise<void> {

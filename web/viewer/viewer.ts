@@ -338,6 +338,7 @@ export class Viewer implements Workpiece {
     const before = this.#model;
     this.#model = undefined; // a stroke on it that ends here paints nothing
     this.#gestures.cancel();
+    this.#derived.clear();
     this.hover.moveTo(undefined);
     if (before) {
       this.stage.remove(before.drawing.object);

@@ -26,7 +26,7 @@ import {
   type Subdivision,
   subdividedParts,
   subdividedTriangles,
-  subdivisionNote,
+  subdivisionNotes,
 } from './subdivision.js';
 import type { Triangles } from '../base/triangles.js';
 import type { TaskOptions } from '../api/options.js';
@@ -152,7 +152,7 @@ export class LocalEngine implements Engine {
         ...counts,
         origin: { format: 'arrays', file: '' },
         notes: [
-          ...(cut ? [subdivisionNote(given.indices.length / 3, cut)] : []),
+          ...(cut ? subdivisionNotes(given.indices.length / 3, cut) : []),
           ...(counts.hasOpenSeams ? [openSeamsNote] : []),
         ],
       };

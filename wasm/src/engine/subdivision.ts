@@ -48,9 +48,11 @@ export function firstPartOf(triangle: number, parents: Int32Array): number {
   return low;
 }
 
-/** A sentence on what was subdivided. */
-export function subdivisionNote(triangles: number, { indices }: Subdivision): string {
-  return `long edges were halved: ${counted(triangles, 'triangle')} became ${integer(indices.length / 3)}`;
+/** A sentence on what was subdivided; none if nothing was. */
+export function subdivisionNotes(triangles: number, { indices }: Subdivision): string[] {
+  const parts = indices.length / 3;
+  if (parts === triangles) return [];
+  return [`long edges were halved: ${counted(triangles, 'triangle')} became ${integer(parts)}`];
 }
 
 /** Values per vertex, `size` numbers each, with those of the midpoints. */

@@ -4,6 +4,7 @@
 
 import { type Command, commandOf, type GeodesicVoronoiElement } from '../../viewer/element.js';
 import { byId, onClick } from '../base/dom.js';
+import { hideError } from '../base/messages.js';
 
 /** Commands of keys outside the viewer; with the focus in it, the viewer handles all its keys. */
 const everywhere: ReadonlySet<Command> = new Set(['undo', 'redo', 'remove', 'refit', 'cancel']);
@@ -35,6 +36,8 @@ export function setUpKeyboard(viewer: GeodesicVoronoiElement): void {
   });
 
   document.addEventListener('keydown', (event) => {
+    // With nothing to give up, what Escape closes is the error.
+    if (event.key === 'Escape' && viewer.status === 'ready' && !help.open) hideError();
     if (event.defaultPrevented || help.open || isTyping(event)) return;
     // A key that types a character acts in the view only: dictation types such keys (WCAG 2.1.4).
     const isCharacter = event.key.length === 1 && !(event.ctrlKey || event.metaKey || event.altKey);

@@ -65,6 +65,11 @@ function markUntilDrawn(
   box.addEventListener('change', () => {
     box.ariaBusy = String(box.checked && (layer === 'original' || viewer.diagram !== undefined));
   });
+  // The drawing of another model is on its way if this one has any sites.
+  listen(viewer, 'load', () => {
+    const isComing = layer === 'original' || viewer.sites.face.length > 0;
+    box.ariaBusy = String(box.checked && isComing);
+  });
   const end = () => {
     box.ariaBusy = 'false';
   };
@@ -130,7 +135,8 @@ function setUpExploded(viewer: GeodesicVoronoiElement): void {
   const show = () => {
     const value = String(Math.round(100 * viewer.exploded));
     if (slider.value !== value) slider.value = value;
-    chips.disabled = viewer.exploded > 0; // it shows regions alone, whatever the layers
+    chips.disabled = viewer.exploded > 0;
+    chips.title = chips.disabled ? 'The exploded view shows regions alone' : '';
     if (viewer.exploded === 0) endNote();
   };
   watchAttributes(viewer, ['exploded'], show);

@@ -7,6 +7,7 @@ import { isAbandoned, sentence } from '../../viewer/session/failure.js';
 import { make } from '../../viewer/stage/make.js';
 import { byId, listen } from '../base/dom.js';
 import { hideError, showError, showNoteOnSites } from '../base/messages.js';
+import { fetched } from '../base/scripts.js';
 import { repairDual } from '../controls/valid_dual.js';
 import { type Row, rows } from './download_rows.js';
 
@@ -26,7 +27,7 @@ export function setUpDownloads(viewer: GeodesicVoronoiElement): void {
     button.disabled = true;
     try {
       // The code that writes files is fetched with the first download.
-      const { fileOf } = await import('./exports.js');
+      const { fileOf } = await fetched(import('./exports.js'));
       const file = await fileOf(viewer, name, format);
       save(file.blob, file.name);
       if (file.violations) {

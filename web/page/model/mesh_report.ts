@@ -51,5 +51,6 @@ function factsOf(info: MeshInfo): [string, string][] {
 /** What the mesh builder and the reader of the file did. */
 function sentencesOf({ repairs, notes }: MeshInfo): string[] {
   const made = repairSentences(repairs, measure);
-  return [...(made.length > 0 ? made : ['No repairs needed']), ...notes].map((text) => `${text}.`);
+  const texts = [...(made.length > 0 ? made : ['No repairs needed']), ...notes];
+  return texts.map((text) => `${text[0].toUpperCase()}${text.slice(1)}.`);
 }

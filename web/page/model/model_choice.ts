@@ -8,7 +8,9 @@ import { chosenFiles, droppedFiles, lastSegment } from '../../viewer/session/mod
 import { make } from '../../viewer/stage/make.js';
 import { byId, listen, onClick } from '../base/dom.js';
 import { showError, showNote } from '../base/messages.js';
+import { fetched } from '../base/scripts.js';
 import { modelOf, sampleAddress } from '../samples/first_model.js';
+import type { Edits } from '../state/edits.js';
 import { ofOneModel } from '../state/page_state.js';
 import samples from '../samples/samples.json' with { type: 'json' };
 
@@ -16,16 +18,16 @@ import samples from '../samples/samples.json' with { type: 'json' };
  * How a model gets into the page: the menu of models, the pickers of files and folders, and
  * dropping them on it.
  */
-export function setUpModelChoice(viewer: GeodesicVoronoiElement): void {
+export function setUpModelChoice(viewer: GeodesicVoronoiElement, edits: Edits): void {
   // Without WebGL nothing can be opened; the view says so.
   if (viewer.status === 'failed') {
     byId('samples', HTMLSelectElement).options[0].text = 'None';
     return;
   }
-  const menu = new ModelMenu(viewer);
+  const menu = new ModelMenu(viewer, edits);
   const open = async (files: readonly File[], all: ModelFiles | Promise<ModelFiles>) => {
     try {
-      const { isSitesFile, openSites } = await import('./sites_file.js');
+      const { isSitesFile, openSites } = await fetched(import('./sites_file.js'));
       const areSites = await Promise.all(files.map(isSitesFile));
       const sites = files.filter((_, i) => areSites[i]);
       if (files.length > sites.length && !(await menu.openFiles(without(sites, await all)))) return;
@@ -50,6 +52,7 @@ interface Choice {
 /** The samples, and the models among the files that a person has opened. */
 class ModelMenu {
   readonly #viewer: GeodesicVoronoiElement;
+  readonly #edits: Edits;
   readonly #menu = byId('samples', HTMLSelectElement);
   readonly #ownFiles = make('optgroup', { label: 'Your files' });
   readonly #choices = new Map<HTMLOptionElement, Choice>();
@@ -59,8 +62,9 @@ class ModelMenu {
   /** The settings of the model that is shown, taken away while another is opened. */
   #settings: [string, string][] = [];
 
-  constructor(viewer: GeodesicVoronoiElement) {
+  constructor(viewer: GeodesicVoronoiElement, edits: Edits) {
     this.#viewer = viewer;
+    this.#edits = edits;
     const choices = samples.map(({ title, file, credit }) => ({
       option: new Option(title, file),
       open: () => viewer.load(sampleAddress(file)),
@@ -87,7 +91,7 @@ class ModelMenu {
    * there.
    */
   async openFiles(files: ModelFiles): Promise<boolean> {
-    const { ownModels } = await import('./own_models.js');
+    const { ownModels } = await fetched(import('./own_models.js'));
     const paths = await ownModels(files);
     const choices = paths.map((path) => ({
       option: new Option(
@@ -108,6 +112,10 @@ class ModelMenu {
 
   /** A model that cannot be opened leaves the one before, which is then what the menu says. */
   async #open(choice: Choice): Promise<boolean> {
+    if (!this.#edits.mayBeLeft()) {
+      this.#asked.option.selected = true;
+      return false;
+    }
     const asked = { ...choice }; // the same model may be asked for once more meanwhile
     this.#asked = asked;
     if (choice.option !== this.#shown.option) await this.#takeSettings();

@@ -66,11 +66,18 @@ export async function openSites(viewer: GeodesicVoronoiElement, file: File): Pro
     const sites = await mesh.readPoints(content);
     const { distance } = await mesh.closestPoints(places);
     if (mesh !== viewer.mesh) return;
+    const before = viewer.sites;
     viewer.sites = present(sites);
-    tellOfPoints(viewer, file, Math.max(0, ...distance));
+    if (areSame(before, viewer.sites))
+      showNoteOnSites(viewer, `${name} has the sites that are shown.`);
+    else tellOfPoints(viewer, file, Math.max(0, ...distance));
   } catch (error) {
     showError(sentence(`${name} cannot be opened as sites`, error).message);
   }
+}
+
+function areSame(some: SurfacePoints, others: SurfacePoints): boolean {
+  return String([some.face, some.bary]) === String([others.face, others.bary]);
 }
 
 /**
@@ -79,7 +86,6 @@ export async function openSites(viewer: GeodesicVoronoiElement, file: File): Pro
  */
 function tellOfPoints(viewer: GeodesicVoronoiElement, file: File, far: number): void {
   const isFar = far > mostFar * (viewer.info?.boundingDiagonal ?? 0);
-  if (!isFar && !isPly(file)) return;
   const what = isPly(file) ? `${file.name} has no triangles: the` : 'The';
   const points = counted(viewer.sites.face.length, 'point');
   const how = isFar ? `, up to ${measure(far)} away from the surface` : '';

@@ -6,7 +6,8 @@ import type { GeodesicVoronoiElement } from '../../viewer/element.js';
 import { lastSegment } from '../../viewer/session/model_files.js';
 import { listen } from '../base/dom.js';
 import { isSample, modelOf } from '../samples/first_model.js';
-import { isPageState, linkAttributes, modelName, notHeld, pageState } from './page_state.js';
+import type { Edits } from './edits.js';
+import { isPageState, linkAttributes, modelName, pageState } from './page_state.js';
 
 /** The address waits for the last of several changes: browsers limit how often it may change. */
 const addressMilliseconds = 300;
@@ -19,23 +20,18 @@ const changes = ['status-change', 'diagram', 'sites-change', 'camera-change'];
  * Keeps the state in the address, opens a link that comes into it, and asks before anything is left
  * that was done and that the address does not hold.
  */
-export function setUpAddress(viewer: GeodesicVoronoiElement): void {
+export function setUpAddress(viewer: GeodesicVoronoiElement, edits: Edits): void {
   const restore = keepState(viewer);
-  const losesEdits = watchEdits(viewer);
   let isLeaving = false;
   // A link that is pasted into the page's own window, Back and Forward change nothing but the hash.
   addEventListener('hashchange', () => {
-    isLeaving = !losesEdits() || confirm(leavingQuestion(modelName(viewer)));
+    isLeaving = edits.mayBeLeft();
     if (isLeaving) location.reload();
     else restore();
   });
   addEventListener('beforeunload', (event) => {
-    if (!isLeaving && losesEdits()) event.preventDefault();
+    if (!isLeaving && edits.areLost) event.preventDefault();
   });
-}
-
-function leavingQuestion(model: string): string {
-  return `Leave ${model}? Not all that was done with it can be brought back.`;
 }
 
 /**
@@ -79,21 +75,4 @@ function keepState(viewer: GeodesicVoronoiElement): () => void {
     addEventListener(type, begin, { capture: true, passive: true, signal: begun.signal });
   }
   return () => history.pushState(null, '', known);
-}
-
-/** Returns whether anything was done that the address does not hold. */
-function watchEdits(viewer: GeodesicVoronoiElement): () => boolean {
-  let file = '';
-  // Edits made before the mesh was built anew, which can no longer be undone.
-  let wasEdited = false;
-  let isEdited = false;
-  listen(viewer, 'load', ({ name, info }) => {
-    const opened = `${name} ${info.inputFaces}`;
-    wasEdited = isEdited && opened === file;
-    file = opened;
-  });
-  listen(viewer, 'sites-change', ({ canUndo }) => {
-    isEdited = canUndo || wasEdited;
-  });
-  return () => viewer.loaded && isEdited && notHeld(viewer).length > 0;
 }

@@ -84,6 +84,12 @@ export class DerivedDrawings {
     else this.#resting = setTimeout(() => this.#show(session.shown), dragRest);
   }
 
+  /** To be called when the model is replaced: nothing that was derived from the one before stays. */
+  clear(): void {
+    clearTimeout(this.#resting);
+    this.#show(undefined);
+  }
+
   dispose(): void {
     clearTimeout(this.#resting);
     this.#stop();

@@ -76,7 +76,10 @@ export async function openMesh(
     const building = { signal, onProgress: between(readShare, meshShare) };
     const options = { ...build, file: files.file, ...building };
     mesh = await library.mesh(files.files, options).catch((error) => {
-      throw sentence(`${files.name} cannot be opened`, error);
+      throw sentence(
+        kept?.mesh ? 'The mesh cannot be made so' : `${files.name} cannot be opened`,
+        error,
+      );
     });
     const placing = { signal, onProgress: between(meshShare, 1) };
     const drawn = sceneOf(mesh, builder, failing.signal);
