@@ -360,6 +360,23 @@ TEST(Diagram, HasNoPointThatNothingUses) {
 }
 
 /// Each corner knows thousands of labels, and few of them own part of the diagonal.
+/// On a spike, all segments of a Voronoi point near the apex lead to the merged point there.
+TEST(Diagram, LeavesOutVoronoiPointsThatNoRegionReaches) {
+  shapes::Shape spike;
+  for (const Eigen::Vector3d& p :
+       {Eigen::Vector3d{3, 3, 2}, {0, 0, 0}, {0, 0, 1}, {3, 1, 1}, {-1e30, 1, 3}})
+    spike.addVertex(p);
+  spike.triangles = {0, 2, 3, 1, 3, 2, 0, 3, 4, 1, 4, 3, 0, 4, 2, 1, 2, 4};
+  const TriangleMesh mesh = spike.mesh();
+  std::vector<SurfacePoint> sites = {{0, {1, 0, 0}}, {0, {0, 0, 1}}};
+  for (const double share : {0.0234527587890625, 0.01171875, 0.00390625})
+    sites.push_back({0, {share, 0, 1 - share}});
+  sites.push_back({0, {0, 0.0390625, 0.9609375}});
+  const Diagram d = trace(mesh, sites, Metric::kExact).diagram;
+  EXPECT_TRUE(isConsistent(mesh, d));
+  EXPECT_EQ(d.voronoiPoints.size(), 5u);
+}
+
 TEST(Diagram, DividesTwoFacesAmongThousandsOfSites) {
   const auto mesh = shapes::grid(1, 1).mesh();
   const auto sites = sampleUniform(mesh, 3000, 1);

@@ -13,6 +13,7 @@ bool VoronoiPoints::step(long& budget) {
   constexpr long kPointsPerUnit = 8;
   const int merged = graph_.merging.limit();
   return sequence_.run(
+      [&] { return merged == 0 || fillInSlices(isOnOutline_, graph_.points.size(), '\0', budget); },
       forEach(merged == 0 ? 0 : outlines_.size(), budget, 1, [&](int o) { collectSectors(o); }),
       [&] {
         return byPoint_.run(
@@ -22,7 +23,7 @@ bool VoronoiPoints::step(long& budget) {
       forEach(graph_.points, budget, kPointsPerUnit, [&](int p) {
         if (graph_.merging.isMerged(p))
           addMerged(p);
-        else if (graph_.merging.isRoot(p) && graph_.isInner(p))
+        else if (graph_.merging.isRoot(p) && graph_.isInner(p) && isOnOutline(p))
           add(p, {graph_.points[p].labels.begin(), graph_.points[p].labels.end()});
       }));
 }
@@ -31,6 +32,7 @@ void VoronoiPoints::collectSectors(int outline) {
   const std::span<const int> points = outlines_.points(outline);
   const size_t n = points.size();
   for (size_t i = 0; i < n; ++i) {
+    isOnOutline_[points[i]] = true;
     if (!graph_.merging.isMerged(points[i])) continue;
     sectors_.push_back({points[i], outlines_.label(outline), points[i > 0 ? i - 1 : n - 1],
                         points[i + 1 < n ? i + 1 : 0]});

@@ -14,7 +14,8 @@
 namespace gvd {
 
 /// Collects the Voronoi points of a diagram, in order of the graph's points. An unmerged inner
-/// point of the graph has its three labels. The labels around a merged point are found from the
+/// point of the graph has its three labels; it is left out if all its segments led to one merged
+/// point, so that no outline reaches it. The labels around a merged point are found from the
 /// outlines through it.
 class VoronoiPoints {
  public:
@@ -35,6 +36,7 @@ class VoronoiPoints {
   void addMerged(int point);
   void add(int point, std::vector<int> labels);
   static void orderAround(std::span<Sector> sectors);
+  bool isOnOutline(int point) const { return isOnOutline_.empty() || isOnOutline_[point]; }
   static bool joinRounds(std::span<Sector> chained, std::span<Sector> others);
 
   BisectorGraph& graph_;
@@ -42,8 +44,9 @@ class VoronoiPoints {
   FinalPoints& points_;
   Diagram& out_;
   SlicedSequence sequence_;
-  std::vector<Sector> sectors_;  ///< at merged points
-  Grouping byPoint_;             ///< sectors
+  std::vector<char> isOnOutline_;  ///< per point; empty if none are merged: all are then
+  std::vector<Sector> sectors_;    ///< at merged points
+  Grouping byPoint_;               ///< sectors
 };
 
 }  // namespace gvd

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "gvd/geodesic.h"
@@ -62,7 +63,7 @@ CornerOnPath bestCorner(const TriangleMesh& mesh, const SurfacePoint& p, double 
 /// is left out.
 class PathPoints {
  public:
-  PathPoints(const TriangleMesh& mesh, const SurfacePoint& site) : mesh_(mesh), site_(site) {}
+  PathPoints(const TriangleMesh& mesh, SurfacePoint site) : mesh_(mesh), site_(std::move(site)) {}
 
   void add(const SurfacePoint& p);
   const SurfacePoint& last() const { return points_.back(); }

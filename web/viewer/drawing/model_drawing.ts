@@ -70,7 +70,7 @@ export class ModelDrawing {
   readonly outline: OutlineDrawing;
   readonly exploded: ExplodedView;
   readonly #surface: RegionSurface;
-  readonly #colours = new RegionColours();
+  readonly #colours: RegionColours;
   /** Each segment has its two labels as keys. */
   readonly #bisectors = new FatLines({ width: 2 });
   readonly #brush = new FatLines({ width: 2.5 });
@@ -90,8 +90,9 @@ export class ModelDrawing {
   #shown: ReadonlySet<Layer> = new Set();
   #tones: Uint16Array = new Uint16Array();
 
-  constructor(mesh: SceneMesh) {
+  constructor(mesh: SceneMesh, colours = new RegionColours()) {
     this.mesh = mesh;
+    this.#colours = colours;
     this.#occlusion = occlusionTexture(mesh.surfaceDensity);
     this.#surface = new RegionSurface(mesh, this.#occlusion);
     this.sites = new SiteDrawing(mesh);
