@@ -25,6 +25,10 @@ export const legendStyle = `
     .legend { width: 160px; padding: 5px 8px; font-size: 11px; }
     .legend .detail { display: none; }
   }
+  @container (max-width: 340px) {
+    .legend { inset: auto 8px 8px auto; width: 90px; padding: 4px 6px; }
+    .legend .caption { display: none; }
+  }
 `;
 
 export class Legend {
@@ -82,7 +86,7 @@ function fill(element: HTMLElement, { colours, marks, caption }: Scale): void {
   const bar = make('div', { className: 'scale' });
   bar.style.background = `linear-gradient(to right, ${colours.join(', ')})`;
   const spans = (texts: readonly string[]) => texts.map((text) => make('span', {}, text));
-  const text = make('div', {}, ...spans(caption));
+  const text = make('div', { className: 'caption' }, ...spans(caption));
   text.children[1].className = 'detail';
   element.replaceChildren(bar, make('div', { className: 'ends' }, ...spans(marks)), text);
 }
