@@ -28,8 +28,10 @@ struct PointLists {
   }
   void add(std::span<const int> list) {
     points.insert(points.end(), list.begin(), list.end());
-    offset.push_back(static_cast<int>(points.size()));
+    close();
   }
+  /// Makes a list of the points appended to `points` since the last one.
+  void close() { offset.push_back(static_cast<int>(points.size())); }
 };
 
 /// The geodesic Voronoi diagram of a mesh (Melvær & Reimers 2014), traced.

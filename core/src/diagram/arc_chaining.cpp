@@ -46,7 +46,7 @@ void ArcChaining::follow(int segment) {
     segment = ends_[s.points[1]].outgoing;
     if (out_.segments[segment].arc >= 0) break;
   }
-  out_.arcs.offset.push_back(static_cast<int>(points.size()));
+  out_.arcs.close();
 }
 
 }  // namespace gvd

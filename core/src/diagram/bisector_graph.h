@@ -69,7 +69,7 @@ struct BisectorGraph {
   void addSegment(int from, int to, int left, int right, int face);
   /// Makes a cell of the points added to `cells` since the last one.
   void closeCell(int face, int label) {
-    cells.offset.push_back(static_cast<int>(cells.points.size()));
+    cells.close();
     cellFace.push_back(face);
     cellLabel.push_back(label);
   }

@@ -251,7 +251,7 @@ Diagram extract(const Diagram& from, std::span<const char> isWanted, std::span<c
   };
   const auto addList = [&](std::span<const int> points, PointLists& to) {
     for (const int p : points) to.points.push_back(point(p));
-    to.offset.push_back(static_cast<int>(to.points.size()));
+    to.close();
   };
   std::vector<int> arcOf(from.arcs.size(), -1);
   for (int i = 0; i < from.arcs.size(); ++i) {

@@ -81,7 +81,7 @@ class Tracing final : public SlicedWork<TracedDiagram> {
     out_.loops.points.reserve(outlines_->pointCount());
     return loop.run(outlines_->size(), budget, 1, [&](int outline) {
       for (const int p : outlines_->points(outline)) out_.loops.points.push_back(points_.number(p));
-      out_.loops.offset.push_back(static_cast<int>(out_.loops.points.size()));
+      out_.loops.close();
       out_.loopLabel.push_back(outlines_->label(outline));
     });
   }

@@ -82,7 +82,7 @@ class FaceComplex {
   const TriangleMesh& mesh_;
   const bool hasOwnElements_;  ///< false: the elements are the faces of the mesh
   NodeLabels nodes_;
-  Elements elements_;  ///< these two are empty without elements of its own
+  Elements elements_;  ///< empty, like `twins_`, unless `hasOwnElements_`
   TwinMatching twins_;
   std::vector<int> soleOwner_;  ///< per element
   std::vector<int> undecided_;

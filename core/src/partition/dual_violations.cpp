@@ -97,7 +97,7 @@ class Inspector {
     const std::string name = regions({region.label});
     if (region.components != 1 || region.loops != 1 || region.genus != 0)
       add(Violation::kNoDisk, {region.label},
-          name + " is no disk: it has " + counted(region.components, "part") + ", " +
+          name + " is no disk: it has " + counted(region.components, "component") + ", " +
               counted(region.loops, "outline") + " and genus " + std::to_string(region.genus),
           trianglesOf(region));
     if (region.selfTouchings > 0)
