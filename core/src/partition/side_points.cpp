@@ -43,7 +43,7 @@ void SidePoints::gatherSides(int firstCell) {
   for (int c = firstCell; c < diagram_.cells.size() && diagram_.cellFace[c] == face; ++c) {
     const auto cell = diagram_.cells[c];
     for (std::size_t i = 0; i < cell.size(); ++i)
-      sides_.emplace_back(vertexOfPoint_[cell[i]], vertexOfPoint_[cell[(i + 1) % cell.size()]]);
+      sides_.push_back({vertexOfPoint_[cell[i]], vertexOfPoint_[cell[(i + 1) % cell.size()]], 0});
   }
   std::sort(sides_.begin(), sides_.end());
 }
@@ -56,16 +56,17 @@ void SidePoints::followSide(int h) {
   int at = mesh_.tail(h);
   if (hasSide(at, tip)) return;
   for (int steps = 0; at != tip && steps < static_cast<int>(sides_.size()); ++steps) {
-    auto next = std::lower_bound(sides_.begin(), sides_.end(), std::pair(at, -1));
-    while (next != sides_.end() && next->first == at && hasSide(next->second, at)) ++next;
-    if (next == sides_.end() || next->first != at) return;
-    at = next->second;
+    const auto isFromHere = [&](auto side) { return side != sides_.end() && (*side)[0] == at; };
+    auto next = std::lower_bound(sides_.begin(), sides_.end(), KeyedItem{at, -1, 0});
+    while (isFromHere(next) && hasSide((*next)[1], at)) ++next;
+    if (!isFromHere(next)) return;
+    at = (*next)[1];
     if (at != tip) points_.push_back({mesh_.twin(h), -steps, at});
   }
 }
 
 bool SidePoints::hasSide(int from, int to) const {
-  return std::binary_search(sides_.begin(), sides_.end(), std::pair(from, to));
+  return std::binary_search(sides_.begin(), sides_.end(), KeyedItem{from, to, 0});
 }
 
 }  // namespace gvd

@@ -3,9 +3,9 @@
 
 #include <cstddef>
 #include <span>
-#include <utility>
 #include <vector>
 
+#include "base/grouping.h"
 #include "base/sliced_loop.h"
 #include "gvd/diagram.h"
 #include "gvd/triangle_mesh.h"
@@ -41,9 +41,10 @@ class SidePoints {
   const std::vector<int>& vertexOfPoint_;
 
   SlicedSequence sequence_;
-  std::vector<std::pair<int, int>> sides_;  ///< of the cells of the current face, ascending
-  std::vector<Point> points_;               ///< ascending by halfedge and order
-  std::size_t next_ = 0;                    ///< point
+  /// The two ends of each side of the cells of the current face, ascending; the third is not used.
+  std::vector<KeyedItem> sides_;
+  std::vector<Point> points_;  ///< ascending by halfedge and order
+  std::size_t next_ = 0;       ///< point
 };
 
 }  // namespace gvd
