@@ -57,7 +57,8 @@ std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startByDensity(const Tria
 /// log V log count) for evenly spread vertices. If a radius is given and there are fewer points
 /// than `count`, exact distances of all points follow, and vertices that are farther than the
 /// radius by these are added. Throws `Error(kInvalidArgument)` if the radius is negative or not a
-/// number. Source: Gabriel Peyré, Laurent Cohen. Geodesic Remeshing Using Front Propagation. 2006.
+/// number.
+/// Source: Gabriel Peyré, Laurent Cohen. Geodesic Remeshing Using Front Propagation. 2006.
 std::vector<SurfacePoint> sampleFarthest(const TriangleMesh& mesh, int count, std::uint64_t seed,
                                          double coveringRadius = 0);
 

@@ -120,8 +120,8 @@ std::unique_ptr<SlicedWork<std::vector<double>>> WindowSpread::startDistancesAt(
 /// A new search for the path if that followed back is too long: where faces are as thin as
 /// rounding, a line may pass a vertex on the wrong side, and then misses its source.
 std::vector<SurfacePoint> WindowSpread::path(int label, const SurfacePoint& p) {
-  const FoundPath found = followedBack(label, p);
-  return pathOrShortest(mesh_, found.points, (1 + kPathRounding) * found.distance, p,
+  FoundPath found = followedBack(label, p);
+  return pathOrShortest(mesh_, std::move(found.points), (1 + kPathRounding) * found.distance, p,
                         sites_[label]);
 }
 
@@ -136,16 +136,16 @@ WindowSpread::FoundPath WindowSpread::followedBack(int label, const SurfacePoint
   long budget = kUnlimited;
   sweep_.search(p, NearestLabels(bounds_), budget);
   const double nearest = sweep_.searched().shortest();
-  const std::vector<SurfacePoint> path = pathBack(p, label, state);
+  std::vector<SurfacePoint> path = pathBack(p, label, state);
   const double least = sweep_.searched().shortest();
-  if (bounds_.ties().isAtMost(least, nearest)) return {path, least};
+  if (bounds_.ties().isAtMost(least, nearest)) return {std::move(path), least};
   LabelState further = state;
   const RequiredPoint point = {p, least, nearest};
   sweep_.require(label, further, {&point, 1});
   budget = kUnlimited;
   sweep_.step(budget);
   const double distance = sweep_.distanceAtPoint(0);
-  if (bounds_.ties().isAtMost(least, distance)) return {path, least};
+  if (bounds_.ties().isAtMost(least, distance)) return {std::move(path), least};
   return {pathToSite(mesh_, sites_[label], further, p, index_), distance};
 }
 
