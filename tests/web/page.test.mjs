@@ -460,12 +460,13 @@ suite('the page', () => {
       (weld) => document.querySelector('geodesic-voronoi').getAttribute('weld') === weld,
       before[2],
     );
+    // As soon as it has begun: on a slow machine, a timer may come after the diagram.
+    await viewer.evaluate((viewer) => {
+      const cancel = () => setTimeout(() => viewer.cancel());
+      viewer.addEventListener('status-change', cancel, { once: true });
+    });
     await viewer.page.fill('#count', '20000');
     await viewer.page.click('#sampling-form [type=submit]');
-    await viewer.evaluate(async (viewer) => {
-      await new Promise((resolve) => setTimeout(resolve, 30));
-      viewer.cancel();
-    });
     await viewer.page.waitForFunction(
       (sites) => document.getElementById('count').value === sites,
       before[0],
