@@ -36,7 +36,7 @@ export function setUpKeyboard(viewer: GeodesicVoronoiElement): void {
   });
 
   document.addEventListener('keydown', (event) => {
-    // With nothing to give up, what Escape closes is the error.
+    // Escape closes the error when there is no work to cancel.
     if (event.key === 'Escape' && viewer.status === 'ready' && !help.open) hideError();
     if (event.defaultPrevented || help.open || isTyping(event)) return;
     // A key that types a character acts in the view only: dictation types such keys (WCAG 2.1.4).

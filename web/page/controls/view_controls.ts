@@ -65,7 +65,7 @@ function markUntilDrawn(
   box.addEventListener('change', () => {
     box.ariaBusy = String(box.checked && (layer === 'original' || viewer.diagram !== undefined));
   });
-  // The drawing of another model is on its way if this one has any sites.
+  // The layer of another model is drawn once its diagram is there: without sites, there is none.
   listen(viewer, 'load', () => {
     const isComing = layer === 'original' || viewer.sites.face.length > 0;
     box.ariaBusy = String(box.checked && isComing);

@@ -26,7 +26,7 @@ export function setUpDownloads(viewer: GeodesicVoronoiElement): void {
     byId('download-button', HTMLElement).focus();
     button.disabled = true;
     try {
-      // The code that writes files is fetched with the first download.
+      // The code that writes files is fetched after the first diagram, or now.
       const { fileOf } = await fetched(import('./exports.js'));
       const file = await fileOf(viewer, name, format);
       save(file.blob, file.name);

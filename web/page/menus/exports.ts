@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Makes the files of the download menu. This code is fetched with the first download.
+// Makes the files of the download menu. This code is fetched after the first diagram.
 
 import type { AttributeSource, Diagram, DiagramData } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement, Status } from '../../viewer/element.js';
