@@ -75,7 +75,7 @@ interface Recipe {
 
 /**
  * The code of a script, a page or a command that makes the shown diagram. It runs as it is, next to
- * the files that its first line names.
+ * the files that it names at its beginning.
  */
 export function codeOf(
   viewer: GeodesicVoronoiElement,
@@ -101,7 +101,11 @@ export function codeOf(
         commandOf(recipe),
       );
     default:
-      return joined(needed && `// ${needed}`, scriptOf(recipe));
+      return joined(
+        needed && `// ${needed}`,
+        '// For a page. In Node, `readFile` of node:fs/promises takes the place of `fetch`.',
+        scriptOf(recipe),
+      );
   }
 }
 
