@@ -383,6 +383,16 @@ test('where points are: by triangles, vertices and places, and of labels without
       fails('invalid-point', new RegExp(`^point 0: there is no triangle ${face}$`)),
     );
   }
+  for (const bary of [
+    [NaN, 0, 1],
+    [2, -1, 0],
+    [0.5, 0.5, 0.5],
+  ]) {
+    await assert.rejects(
+      mesh.positionsOf({ face: [-1, 0], bary: [0, 0, 0, ...bary] }),
+      fails('invalid-point', /^point 1: .*barycentric coordinate/),
+    );
+  }
 });
 
 test('random sites spread as a tessellation with a density does', async () => {

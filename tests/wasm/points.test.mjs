@@ -52,6 +52,10 @@ test('points in a file are refused where they are none, or are those of another 
     fails('invalid-point', 'point 1: there is no triangle 8'),
   );
   await assert.rejects(
+    mesh.readPoints({ face: [0], bary: [1, 1, 1] }),
+    fails('invalid-point', 'point 0: the barycentric coordinates sum to 3, not 1'),
+  );
+  await assert.rejects(
     mesh.readPoints({ face: [0], bary: [1, 0] }),
     fails('invalid-argument', /^points\.bary has length 2, not 3: /),
   );

@@ -161,12 +161,12 @@ export class EngineMesh implements Mesh {
     const given = toPoints('points', file.points);
     const cut = this.#cut;
     if (cut && 3 * (file.faces ?? 0) === cut.whole.length && 'face' in given) {
-      requireFaces(given, cut.whole.length / 3);
+      requireOnSurface(given, cut.whole.length / 3);
       return (await imported(import('./points_on_parts.js'))).pointsOnParts(given, cut);
     }
     requireSameMesh(file, this.info);
     const points = await this.#object.onSurface(given, task);
-    requireFaces(points, this.info.inputFaces);
+    requireOnSurface(points, this.info.inputFaces);
     return points;
   }
 
@@ -176,8 +176,9 @@ export class EngineMesh implements Mesh {
   ): Promise<Float64Array<ArrayBuffer>> {
     const task = toTask(options);
     task.signal?.throwIfAborted();
-    const { face, bary } = await this.#object.onSurface(toPoints('points', points), task);
-    requireFaces({ face }, this.info.inputFaces);
+    const found = await this.#object.onSurface(toPoints('points', points), task);
+    requireOnSurface(found, this.info.inputFaces);
+    const { face, bary } = found;
     const places = new Float64Array(3 * face.length).fill(NaN);
     face.forEach((f, i) => {
       if (f === -1) return;
@@ -334,10 +335,26 @@ function stateOf(engine: Engine, { handle, ...state }: AdvancedCvt, metric: Metr
   return { ...state, diagram };
 }
 
-/** Refuses points on triangles that there are not; -1 is a label without a site. */
-function requireFaces({ face }: { face: Int32Array }, count: number): void {
-  const wrong = face.findIndex((f) => f < -1 || f >= count);
-  if (wrong < 0) return;
-  const message = `point ${wrong}: there is no triangle ${face[wrong]}`;
-  throw new GeodesicVoronoiError('invalid-point', message);
+/**
+ * Refuses points on triangles that there are not, or outside their triangle, as the core does; -1 is a
+ * label without a site.
+ */
+function requireOnSurface({ face, bary }: SurfacePoints, count: number): void {
+  face.forEach((f, i) => {
+    if (f === -1) return;
+    const isThere = f >= 0 && f < count;
+    const fault = isThere ? faultOf(bary.subarray(3 * i, 3 * i + 3)) : `there is no triangle ${f}`;
+    if (fault) throw new GeodesicVoronoiError('invalid-point', `point ${i}: ${fault}`);
+  });
+}
+
+/** The fault of barycentric coordinates, beyond the core's tolerance; nothing if there is none. */
+function faultOf(bary: Float64Array): string | undefined {
+  const tolerance = 1e-6;
+  if (!bary.every(Number.isFinite)) return 'a barycentric coordinate is not a finite number';
+  const negative = bary.find((b) => b < -tolerance);
+  if (negative !== undefined) return `the barycentric coordinate ${negative} is negative`;
+  const sum = bary[0] + bary[1] + bary[2];
+  if (Math.abs(sum - 1) <= tolerance) return undefined;
+  return `the barycentric coordinates sum to ${sum}, not 1`;
 }
