@@ -166,7 +166,8 @@ export interface DiagramData {
 }
 
 /**
- * How a change of one site has changed a diagram; everything not listed is as it was.
+ * How a change of one site has changed a diagram; everything not listed is as it was. The diagram
+ * reads these arrays when it merges them into its own: copy them before they are transferred.
  */
 export interface DiagramChange {
   /** The label of the site that came, went or moved. */
