@@ -184,6 +184,11 @@ test('sites from a PLY and a CSV of places', () => {
     'numpy.txt',
     ['# id x y z w', ...numbered.map((row) => row.replaceAll(',', ' '))].join('\n'),
   );
+  const table = numbered.map((row, i) => `"${i}" ${row.replaceAll(',', ' ')}`);
+  write('r.txt', ['"id" "x" "y" "z" "w"', ...table].join('\n'));
+  // As pandas writes one with tabs.
+  write('tabs.tsv', ['\tx\ty\tz', ...rows.map((row, i) => `${i}\t${row.join('\t')}`)].join('\n'));
+  write('ended.csv', ['x,y,z', ...rows.map((row) => `${row},`)].join('\n'));
   write('blanks.xyz', rows.map((row) => ` ${row.join('  \t')} 1\n`).join('\n'));
   const areas = (sites) => {
     const { regions } = JSON.parse(succeeds(`diagram shape.glb --sites ${sites} -q`).stdout);
@@ -199,6 +204,9 @@ test('sites from a PLY and a CSV of places', () => {
     'slicer.fcsv',
     'spoken.csv',
     'numpy.txt',
+    'r.txt',
+    'tabs.tsv',
+    'ended.csv',
     'blanks.xyz',
   ])
     assert.deepEqual(areas(sites), expected);

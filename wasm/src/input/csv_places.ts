@@ -11,13 +11,16 @@ const axes = ['x', 'y', 'z'];
  * The places in a CSV. Its first line tells whether semicolons, commas or blanks part the columns, and
  * may name them; without names, the first three are read. A column in quotes may have any of these in
  * it. Lines that begin with # are comments; the last one before the first line may name the columns,
- * too, as NumPy and 3D Slicer write it.
+ * too, as NumPy and 3D Slicer write it. If the rows have one column more than the first line has names,
+ * the first one has the names of the rows, as R writes them.
  */
 export function readCsvPlaces(bytes: Uint8Array): number[] {
   const text = new TextDecoder().decode(bytes);
   const places: number[] = [];
   let columns = [0, 1, 2];
   let comment = '';
+  /** How many names the line before has. */
+  let names = 0;
   let pattern: RegExp | undefined;
   for (const [i, line] of text.split(/\r\n|\r|\n/).entries()) {
     if (/^\s*#/.test(line)) comment = line.replace(/^[\s#]*(columns\s*=)?/, '').trim();
@@ -26,13 +29,17 @@ export function readCsvPlaces(bytes: Uint8Array): number[] {
     pattern ??= columnPattern(line);
     const words = wordsOf(line.trim(), pattern);
     if (isFirst) {
-      const names = wordsOf(comment, pattern);
-      if (names.length === words.length) columns = columnsOf(names) ?? columns;
+      const spoken = wordsOf(comment, pattern);
+      if (spoken.length === words.length) columns = columnsOf(spoken) ?? columns;
       if (columns.some((column) => Number.isNaN(decimal(words[column] ?? '')))) {
         columns = columnsOf(words) ?? refuseNames(words, i + 1);
+        names = words.length;
         continue;
       }
     }
+    const hasRowNames = names > 0 && words.length === names + 1 && words.at(-1) !== '';
+    if (hasRowNames) columns = columns.map((column) => column + 1);
+    names = 0;
     places.push(...columns.map((column, k) => numberOf(words[column], i + 1, axes[k])));
   }
   return places;
