@@ -198,6 +198,10 @@ test('its types are complete, with and without those of Node', () => {
     join(installed.folder, 'page.mts'),
     `import { loadWorker } from 'geodesic-voronoi';
      import 'geodesic-voronoi/element';
+     import { type GeodesicVoronoiElement, layers } from 'geodesic-voronoi/standalone';
+     // @ts-expect-error: the script has types alone
+     const known: string[] = [...layers];
+     const element: GeodesicVoronoiElement = document.createElement('geodesic-voronoi');
      await loadWorker({ worker: new Worker('w.js') });
      // @ts-expect-error: no worker
      await loadWorker({ worker: { postMessage() {} } });

@@ -4,6 +4,9 @@
 // bundler. Its workers run the same file and know their task by their name. core.wasm, gltf.wasm
 // and draco.wasm have to lie beside it.
 
+// Types alone: this script exports nothing.
+export type * from './element.js';
+
 const parts: Readonly<Record<string, () => Promise<unknown>>> = {
   'geodesic-voronoi': () => import('geodesic-voronoi/worker'),
   'geodesic-voronoi-drawing': () => import('./buffers/drawing_worker.js'),
