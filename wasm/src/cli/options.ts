@@ -56,7 +56,7 @@ export const options = {
     value: 'N|FILE',
     parse: numberOrPath(rules.count),
     optional: true,
-    help: 'Number of sites to sample, or a file of them: JSON, on the surface or by coordinates; or a PLY or a table of numbers, by coordinates',
+    help: 'Number of sites to sample, or a file of them: JSON (or that itself), on the surface or by coordinates; or a PLY or a table of numbers, by coordinates',
   },
   radius: {
     value: 'LENGTH',
@@ -90,7 +90,7 @@ export const options = {
   from: {
     value: 'FILE',
     parse: path,
-    help: 'The points at which paths start: a file as of --sites, or JSON itself',
+    help: 'The points at which paths start: a file of points (see geodesic-voronoi --help), or JSON itself',
   },
   to: {
     value: 'FILE',
@@ -174,7 +174,7 @@ export const options = {
     value: 'UNIT|FACTOR',
     parse: lengths,
     default: '1',
-    help: `Unit of lengths in the output, of --radius and of --move-tolerance, for a model in metres, the unit of glTF: ${units.join(', ')}; or the factor to multiply the model's own with. Coordinates in files of points are the model's own`,
+    help: `Unit of lengths in the output, and of options that take a LENGTH, for a model in metres, the unit of glTF: ${units.join(', ')}; or the factor to multiply the model's own with. Coordinates in files of points are the model's own`,
   },
   'max-edge': {
     value: 'SHARE',
