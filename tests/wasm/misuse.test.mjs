@@ -13,7 +13,10 @@ const { load, loadWorker } = api;
 
 const notOptions = [null, 5, 'exact', true, [], () => {}];
 const notObjects = [undefined, null, 5, 'x'];
+const transferred = new Float64Array(3);
+structuredClone(transferred, { transfer: [transferred.buffer] });
 const notLists = [
+  transferred,
   null,
   5,
   'abc',

@@ -2,7 +2,7 @@
 //
 // Checks of what callers pass. Each names the argument, says what it is, and what it should be.
 
-import { invalidArgument } from '../api/errors.js';
+import { invalidArgument, outOfMemory } from '../api/errors.js';
 import type { CompiledModule, TaskOptions } from '../api/options.js';
 
 /** The default of every option; undefined for an option without one, or that has to be given. */
@@ -88,18 +88,28 @@ export function isA<Kind extends keyof Kinds>(value: unknown, kind: Kind): value
 
 export function toFloat64(name: string, values: ArrayLike<number>): Float64Array<ArrayBuffer> {
   requireNumbers(name, values);
-  return new Float64Array(values);
+  return copied(name, () => new Float64Array(values));
 }
 
 export function toInt32(name: string, values: ArrayLike<number>): Int32Array<ArrayBuffer> {
   requireNumbers(name, values);
-  const integers = new Int32Array(values);
+  const integers = copied(name, () => new Int32Array(values));
   if (values instanceof Int32Array) return integers;
   for (let i = 0; i < integers.length; ++i) {
     if (integers[i] !== values[i])
       throw invalidArgument(`${name}[${i}] is ${show(values[i])}, not an index`);
   }
   return integers;
+}
+
+/** A copy of an array, which fails if the array was transferred, or where memory is short. */
+function copied<Copy>(name: string, copy: () => Copy): Copy {
+  try {
+    return copy();
+  } catch (cause) {
+    if (cause instanceof RangeError) throw outOfMemory(cause);
+    throw invalidArgument(`${name} is an array that was transferred: it has no numbers any more`);
+  }
 }
 
 /** Arrays of numbers, typed or not. */
