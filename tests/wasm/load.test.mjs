@@ -34,6 +34,7 @@ test('load() takes a URL, a path, bytes, what a server answered, or a module', a
     coreUrl,
     coreUrl.href,
     fileURLToPath(coreUrl),
+    URL.createObjectURL(new Blob([coreBytes])),
     coreBytes,
     arrayBuffer,
     new DataView(arrayBuffer),

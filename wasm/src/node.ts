@@ -29,7 +29,8 @@ export function compileModules(options?: CompileOptions): Promise<Modules> {
 
 /** An address, or a path, in which # and ? and % are letters as any others. */
 async function compileFromDisk(address: URL | string): Promise<CompiledModule> {
-  const isPath = typeof address === 'string' && !/^([a-z][a-z\d+.-]*:\/\/|data:)/i.test(address);
+  const isPath =
+    typeof address === 'string' && !/^([a-z][a-z\d+.-]*:\/\/|data:|blob:)/i.test(address);
   const url = isPath ? pathToFileURL(address) : new URL(address);
   return url.protocol === 'file:' ? WebAssembly.compile(await readFile(url)) : compileFromWeb(url);
 }
