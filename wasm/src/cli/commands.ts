@@ -206,13 +206,16 @@ async function partition({ mesh: path, values }: Request<'partition'>): Promise<
   const { layout, region } = values;
   await output.write(encode({ mesh, sites, partition, layout, region }, lengthsOf(mesh, values)));
   const { components, loops, eulerCharacteristic } = partition.regions;
+  const { label } = partition.triangles;
   const disks = components.filter(
     (count, i) => count === 1 && loops[i] === 1 && eulerCharacteristic[i] === 1,
   );
   output.summarise(
     `${counted(diagram.regions.length, 'region')}, ${integer(disks.length)} of them ` +
       `${disks.length === 1 ? 'a disk' : 'disks'}, ` +
-      counted(partition.triangles.label.length, 'triangle'),
+      (region === undefined
+        ? counted(label.length, 'triangle')
+        : `${counted(label.filter((each) => each === region).length, 'triangle')} written`),
   );
 }
 
