@@ -235,6 +235,7 @@ test('--units: a unit of length, or a factor', () => {
 test('--limits: what a glTF may ask for', () => {
   fails(1, 'info shape.glb --limits maxTriangles=7', /raise the limit maxTriangles/);
   succeeds('info shape.glb --limits maxTriangles=8,maxVertices=6');
+  fails(2, 'info shape.glb --limits maxTriangles=8=9', /--limits maxTriangles.*8=9/);
   for (const limits of ['triangles=7', 'maxTriangles', 'maxTriangles=', 'maxTriangles=-1', '7'])
     fails(2, `info shape.glb --limits=${limits}`, /--limits/);
 });

@@ -10,7 +10,11 @@ const port = globalThis as unknown as Port;
 const early: MessageEvent[] = [];
 port.onmessage = (event) => early.push(event);
 
-import('./engine/worker_server.js').then(({ serveLocalEngine }) => {
-  serveLocalEngine(port);
-  for (const event of early) port.onmessage?.(event);
-}, reportError);
+// Node has no `reportError`: the name is read only if it is needed.
+import('./engine/worker_server.js').then(
+  ({ serveLocalEngine }) => {
+    serveLocalEngine(port);
+    for (const event of early) port.onmessage?.(event);
+  },
+  (error) => reportError(error),
+);

@@ -81,7 +81,8 @@ export function assignments<Name extends string>(
         .split(',')
         .filter((part) => part !== '')
         .map((part) => {
-          const [name, number = ''] = part.split('=', 2);
+          const [name, ...rest] = part.split('=');
+          const number = rest.join('=');
           return [oneName(name, `the name in ${option}`), value(number, `${option} ${name}`)];
         }),
     ) as Partial<Record<Name, number>>;
