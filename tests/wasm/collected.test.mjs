@@ -31,6 +31,33 @@ test('a mesh or a diagram that nobody refers to any more stays until its call is
   assert.deepEqual(lengths, [30_000, 40, 30_000, 40, 30_000, 40]);
 });
 
+test('a mesh or a diagram whose call is aborted just as it ends is freed', async (t) => {
+  const { now } = performance;
+  performance.now = () => 0; // all work is done in one slice
+  t.after(() => (performance.now = now));
+  const mesh = await gvd.mesh(grid(40));
+  const sites = await mesh.sampleSites(10);
+  const calls = [(task) => gvd.mesh(grid(40), task), (task) => mesh.voronoi(sites, task)];
+  for (const call of calls) {
+    const abort = async (count) => {
+      for (let i = 0; i < count; ++i) {
+        const control = new AbortController();
+        const called = call({ signal: control.signal }).then(
+          (opened) => opened.dispose(),
+          () => {},
+        );
+        for (let turn = i % 4; turn > 0; --turn) await undefined;
+        control.abort();
+        await called;
+      }
+      return process.memoryUsage().external;
+    };
+    const before = await abort(40);
+    const added = (await abort(400)) - before;
+    assert.ok(added < 5e6, `${call}: ${added} bytes more`);
+  }
+});
+
 test('a tessellation that is left without a word is freed, and one that its listener ends', async () => {
   const mesh = await gvd.mesh(grid(40));
   const sites = await mesh.sampleSites(40);

@@ -147,16 +147,21 @@ export class WasmModule {
     return this.#toNumber(argument, []);
   }
 
-  /** Works on an `Answer` in steps; `requireOpen` throws when it should not go on. */
-  *working(answer: number, requireOpen: () => unknown = () => {}): SlicedWork<void> {
+  /**
+   * Works on an `Answer` in steps, then copies it; the caller frees it. `requireOpen` throws when the
+   * work should not go on. Nothing comes between the last step and a copy of a few numbers: if one of
+   * them is the address of an object, the caller gets it, and else nobody could free the object.
+   */
+  *answering<Result>(answer: number, requireOpen: () => unknown = () => {}): SlicedWork<Result> {
     for (;;) {
       requireOpen();
-      if (this.call('stepAnswer', answer, unitsPerStep) === sliceDone) return;
+      if (this.call('stepAnswer', answer, unitsPerStep) === sliceDone) break;
       yield this.run('answerProgress', answer) ?? 0;
     }
+    return yield* this.copying<Result>(answer);
   }
 
-  /** Copies a finished `Answer` in steps, from the rows of its `Record`; the caller frees it. */
+  /** Copies a finished `Answer` in steps, from the rows of its `Record`. */
   *copying<Result>(answer: number): SlicedWork<Result> {
     const { memory } = this.#exports;
     const count = this.#exports.answerRowCount(answer);
@@ -294,7 +299,7 @@ function* copied<Array extends Int32Array | Float64Array>(
 ): SlicedWork<Array> {
   const bytes = new Uint8Array(array.buffer);
   for (let at = 0; at < bytes.length; at += bytesPerStep) {
-    if (at > 0) yield at / bytes.length;
+    if (at > 0) yield 1;
     // The memory's buffer is asked for anew each time: growing replaces it.
     const part = Math.min(bytesPerStep, bytes.length - at);
     bytes.set(new Uint8Array(memory.buffer, address + at, part), at);

@@ -202,8 +202,7 @@ export class LocalEngine implements Engine {
     const core = this.#open();
     const answer = core.call(name, ...args);
     try {
-      await inSlices(core.working(answer, requireOpen), task);
-      return await inSlices(core.copying<Result>(answer), { signal: task.signal });
+      return await inSlices(core.answering<Result>(answer, requireOpen), task);
     } finally {
       core.run('freeAnswer', answer);
     }

@@ -37,9 +37,7 @@ export async function readGltf(
     Object.keys(limits),
     Float64Array.from(Object.values(limits)),
   );
-  await inSlices(wasm.working(reading), task);
-  const { signal } = task;
-  const arrays = await inSlices(wasm.copying<GltfArrays>(reading), { signal });
+  const arrays = await inSlices(wasm.answering<GltfArrays>(reading), task);
   const { partNumbers, partNames, ...scene } = arrays;
   const parts = partNames.map((name, i) => {
     const [node, mesh, primitive, firstTriangle, triangleCount] = partNumbers.subarray(5 * i);
