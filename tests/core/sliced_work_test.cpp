@@ -224,6 +224,29 @@ TEST(SlicedWork, NoStepGoesThroughTheWholeMesh) {
   EXPECT_EQ(all.list(), all.sorted());
 }
 
+/// The diagram of each round was joined in a single step.
+TEST(SlicedWork, ARepairJoinsItsDiagramInSteps) {
+  const TriangleMesh mesh = shapes::grid(100, 100).mesh();
+  const auto sites = sampleUniform(mesh, 1, 1);
+  const auto steps = [](auto&& work) {
+    int count = 1;
+    while (!work->step(1)) ++count;
+    return count;
+  };
+  auto opening = DynamicDiagram::start(mesh, sites);
+  const int ofOpening = steps(opening);
+  const DynamicDiagram dynamic = opening->take();
+  const int ofJoining = steps(dynamic.startDiagram());
+  EXPECT_GT(ofJoining, 100);
+  const Diagram diagram = dynamic.diagram();
+  const int ofFinding =
+      steps(startRepairingSites(mesh, dynamic.sites(), diagram, dynamic.distances()));
+  auto repairing = startRepair(mesh, sites, Metric::kExact, {.maxAdded = 0});
+  int count = 0;
+  EXPECT_THROW(for (;; ++count) repairing->step(1), Error);
+  EXPECT_GT(count, ofOpening + ofJoining / 2 + ofFinding);
+}
+
 TEST(SlicedWork, ALongOutlineThatUsesUpTheBudgetLeavesNothingOut) {
   // The one outline is the last thing of its stage, and takes more than all the budget there is.
   const TriangleMesh mesh = shapes::grid(400, 400).mesh();

@@ -117,41 +117,53 @@ Gap gapAt(const TriangleMesh& mesh, const Partition& partition, const Finding& f
   return gap;
 }
 
-/// The gaps to fill in one round of the repair, for the violations of a diagram.
-std::vector<Gap> gapsOf(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
-                        const Diagram& diagram, const Partition& partition,
-                        const RegionComplex& complex) {
+/// The gaps to fill in one round of the repair.
+struct Gaps {
   std::vector<Gap> gaps;
+  std::string firstViolation;  ///< its message, empty if there are no violations
+};
+
+/// The gaps for the violations of a diagram.
+Gaps gapsOf(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, const Diagram& diagram,
+            const Partition& partition, const RegionComplex& complex) {
+  Gaps found;
   std::vector<char> isTouched(diagram.siteCount);  // regions that a new site may change
   for (const Finding& finding : inspect(mesh, sites, diagram, partition, complex)) {
     const Violation& violation = finding.violation;
     const std::vector<int>& labels = violation.labels;
+    if (found.firstViolation.empty()) found.firstViolation = violation.message;
     if (violation.kind == Violation::kNoRegion) rejectArgument(violation.message);
     if (violation.kind == Violation::kNoManifold) throw std::logic_error(violation.message);
     if (std::any_of(labels.begin(), labels.end(), [&](int label) { return isTouched[label]; }))
       continue;
     const auto aroundCone = sitesAroundCone(mesh, sites, partition, violation);
-    for (const SurfacePoint& p : aroundCone) gaps.push_back({{}, {p}});
-    if (aroundCone.empty()) gaps.push_back(gapAt(mesh, partition, finding));
+    for (const SurfacePoint& p : aroundCone) found.gaps.push_back({{}, {p}});
+    if (aroundCone.empty()) found.gaps.push_back(gapAt(mesh, partition, finding));
     for (const int label : labels) {
       isTouched[label] = true;
       for (const auto& n : partition.regions[label].neighbours) isTouched[n.label] = true;
     }
   }
-  return gaps;
+  return found;
 }
 
 /// Finds the sites that fill the gaps. The distances at the points of all of them are requested at
 /// once: on long faces there are many points, and the path of each to its site crosses many faces.
 class GapFilling final : public SlicedWork<std::vector<SurfacePoint>> {
  public:
-  GapFilling(std::unique_ptr<SlicedWork<std::vector<Gap>>> finding, const DistanceField& field)
-      : finding_(std::move(finding)), field_(field) {}
+  GapFilling(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, const Diagram& diagram,
+             const DistanceField& field)
+      : finding_(fromRegions(mesh, diagram,
+                             [&mesh, sites = sitesOf(mesh, diagram, sites), &diagram](
+                                 const Partition& partition, const RegionComplex& complex) {
+                               return gapsOf(mesh, sites, diagram, partition, complex);
+                             })),
+        field_(field) {}
 
   bool advance(long budget) override {
     return sequence_.run([&] { return finding_->step(budget); },
                          [&] {
-                           gaps_ = finding_->take();
+                           found_ = finding_->take();
                            startDistances();
                          },
                          [&] { return distances_->step(budget); });
@@ -164,7 +176,7 @@ class GapFilling final : public SlicedWork<std::vector<SurfacePoint>> {
     const std::vector<double> distances = distances_->take();
     auto next = distances.begin();
     std::vector<SurfacePoint> sites;
-    for (const Gap& gap : gaps_) {
+    for (const Gap& gap : found_.gaps) {
       sites.push_back(gap.points.front());
       double most = -1;
       for (const SurfacePoint& p : gap.points) {
@@ -178,19 +190,22 @@ class GapFilling final : public SlicedWork<std::vector<SurfacePoint>> {
     return sites;
   }
 
+  /// The message of the first violation, once the work is done.
+  const std::string& firstViolation() const { return found_.firstViolation; }
+
  private:
   void startDistances() {
     std::vector<LabelledPoint> points;
-    for (const Gap& gap : gaps_)
+    for (const Gap& gap : found_.gaps)
       for (const SurfacePoint& p : gap.points)
         for (const int label : gap.labels) points.push_back({label, p});
     distances_ = field_.startDistancesAt(std::move(points));
   }
 
-  std::unique_ptr<SlicedWork<std::vector<Gap>>> finding_;
+  std::unique_ptr<SlicedWork<Gaps>> finding_;
   const DistanceField& field_;
   SlicedSequence sequence_;
-  std::vector<Gap> gaps_;
+  Gaps found_;
   std::unique_ptr<SlicedWork<std::vector<double>>> distances_;
 };
 
@@ -200,13 +215,7 @@ std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startRepairingSites(
     const TriangleMesh& mesh, std::span<const SurfacePoint> sites, const Diagram& diagram,
     const DistanceField& field) {
   requireMesh(mesh, field);
-  return std::make_unique<GapFilling>(
-      fromRegions(mesh, diagram,
-                  [&mesh, sites = sitesOf(mesh, diagram, sites), &diagram](
-                      const Partition& partition, const RegionComplex& complex) {
-                    return gapsOf(mesh, sites, diagram, partition, complex);
-                  }),
-      field);
+  return std::make_unique<GapFilling>(mesh, sites, diagram, field);
 }
 
 std::vector<SurfacePoint> repairingSites(const TriangleMesh& mesh,
@@ -223,7 +232,7 @@ void requireMaxAdded(int count) {
 
 namespace {
 
-/// Repairs in rounds: finds sites to add, and inserts them.
+/// Repairs in rounds: joins the diagram, finds sites to add, and inserts them.
 class Repairing final : public SlicedWork<RepairedSites> {
  public:
   Repairing(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,
@@ -241,7 +250,8 @@ class Repairing final : public SlicedWork<RepairedSites> {
       beginRound();
       return false;
     }
-    if (!round_.run([&] { return find(budget); }, [&] { takeFound(); },
+    if (!round_.run([&] { return joining_->step(budget); }, [&] { startFinding(); },
+                    [&] { return find(budget); }, [&] { takeFound(); },
                     [&] { return insert(budget); }))
       return false;
     if (found_.empty()) return true;
@@ -264,9 +274,14 @@ class Repairing final : public SlicedWork<RepairedSites> {
     round_ = {};
     found_.clear();
     change_.reset();
-    repaired_ = {dynamic_->sites(), repaired_.added, dynamic_->diagram()};
-    finding_ =
-        startRepairingSites(mesh_, repaired_.sites, repaired_.diagram, dynamic_->distances());
+    joining_ = dynamic_->startDiagram();
+  }
+
+  void startFinding() {
+    repaired_ = {dynamic_->sites(), repaired_.added, joining_->take()};
+    joining_.reset();
+    finding_ = std::make_unique<GapFilling>(mesh_, repaired_.sites, repaired_.diagram,
+                                            dynamic_->distances());
   }
 
   /// The first round refuses given sites without region. Later ones come upon added sites: along an
@@ -290,7 +305,7 @@ class Repairing final : public SlicedWork<RepairedSites> {
     if (count > most_ - repaired_.added)
       throw Error(ErrorCode::kTooFewSites,
                   "the dual is not valid with as many sites as may be added: " +
-                      findViolations(mesh_, repaired_.sites, repaired_.diagram).front().message);
+                      finding_->firstViolation());
     repaired_.added += count;
   }
 
@@ -306,7 +321,8 @@ class Repairing final : public SlicedWork<RepairedSites> {
   std::optional<DynamicDiagram> dynamic_;
   RepairedSites repaired_;  ///< before the sites of this round
   SlicedSequence round_;
-  std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> finding_;
+  std::unique_ptr<SlicedWork<Diagram>> joining_;
+  std::unique_ptr<GapFilling> finding_;
   std::vector<SurfacePoint> found_;  ///< sites to be inserted in this round
   std::unique_ptr<SlicedWork<DiagramChange>> change_;
   double share_ = 0.5;  ///< of the work up to this round
