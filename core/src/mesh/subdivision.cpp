@@ -54,6 +54,7 @@ class Subdivision final : public SlicedWork<SubdividedTriangles> {
                       box_.extend(p);
                 }),
         [&] { findLongest(); }, [&] { return splitAll(budget); }, [&] { reserve(); },
+        [&] { return fillInSlices(firstMidpoint_, std::bit_ceil(addedParts() + 1), -1, budget); },
         [&] { return splitAll(budget); });
   }
   double share() const override { return sequence_.progress(); }
@@ -146,14 +147,14 @@ class Subdivision final : public SlicedWork<SubdividedTriangles> {
 
   /// Makes room for the parts, and for a midpoint each, of which there are about half as many.
   void reserve() {
-    const std::size_t parts = partCount_, added = parts - triangles_.size() / 3;
+    const std::size_t parts = partCount_, added = addedParts();
     out_.triangles.reserve(3 * parts);
     out_.parents.reserve(parts);
     out_.ends.reserve(added);
     out_.positions.reserve(out_.positions.size() + 3 * added);
     nextMidpoint_.reserve(added);
-    firstMidpoint_.assign(std::bit_ceil(added + 1), -1);
   }
+  std::size_t addedParts() const { return partCount_ - triangles_.size() / 3; }
   bool hasRoom() const { return !firstMidpoint_.empty(); }
 
   /// The middle of a side: the same bits from both ends, and so in all triangles of the side.
