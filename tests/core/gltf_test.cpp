@@ -225,6 +225,18 @@ TEST(ReadGltf, AppliesMorphTargetsWithTheirDefaultWeights) {
             "positions, 3");
 }
 
+/// There was room for the vertices once more for every morph target, in all lists.
+TEST(ReadGltf, TakesNoMemoryForMorphTargets) {
+  GlbWriter file;
+  file.addPositions(kTriangle);
+  file.addPositions({0, 0, 1, 0, 0, 1, 0, 0, 1});
+  file.addMesh({R"({"attributes":{"POSITION":0,"NORMAL":1},"targets":[{"POSITION":1}]})"},
+               R"(,"weights":[1])");
+  const GltfScene scene = readGltf(file.glb());
+  EXPECT_EQ(scene.positions.capacity(), 9);
+  EXPECT_EQ(scene.normals.capacity(), 9);
+}
+
 TEST(ReadGltf, AppliesMorphTargetsToNormals) {
   GlbWriter file;
   file.addPositions(kTriangle);

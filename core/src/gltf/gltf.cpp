@@ -82,7 +82,7 @@ class SceneReading final : public SlicedWork<GltfScene> {
       for (int i = 0; i < count; ++i) measure({&at, i}, size);
       skins_ += at.node >= 0 && document_.nodes[at.node].isSkinned;
     }
-    scene_.positions.reserve(3 * size.vertices);
+    scene_.positions.reserve(3 * (size.vertices - size.countedAgain));
     scene_.triangles.reserve(3 * size.triangles);
   }
 
@@ -98,6 +98,7 @@ class SceneReading final : public SlicedWork<GltfScene> {
     PrimitiveSize own = sizeOf(primitive, weightsOf(placed), *accessors_, name);
     if (placed.at->isFreeInstance) own.zeroElements += own.vertices;
     addUp(size.vertices, own.vertices, limits_.maxVertices, "vertices", "maxVertices");
+    size.countedAgain += own.countedAgain;
     addUp(size.triangles, own.triangles, limits_.maxTriangles, "triangles", "maxTriangles");
     addUp(size.zeroElements, own.zeroElements, limits_.maxZeroElements,
           "elements in accessors without a buffer view", "maxZeroElements");

@@ -63,6 +63,7 @@ PrimitiveSize sizeOf(const Primitive& primitive, std::span<const double> weights
   }
   forEachActiveTarget(primitive, weights, "POSITION", [&](int accessor, double) {
     size.vertices += positions.count;
+    size.countedAgain += positions.count;
     countZeros(accessors.at(accessor, name));
   });
   return size;
