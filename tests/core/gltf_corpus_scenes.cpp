@@ -224,6 +224,13 @@ void addLimitCases(GltfCases& cases) {
     for (int n = 1; n < 60; ++n) file.addNode(R"("mesh":0)");
   });
 
+  cases.refused("1000 normals with 100,000 morph targets", vertices, [&](GlbWriter& file) {
+    zerosOf(1000)(file);
+    file.meshes[0] = R"({"primitives":[{"attributes":{"POSITION":0,"NORMAL":0},"targets":)" +
+                     repeated(R"({"NORMAL":0})", 99999) + R"(}],"weights":)" +
+                     repeated("1", 99999) + '}';
+  });
+
   const std::string start = R"({"asset":{"version":"2.0"},)";
   const std::string tooMany =
       "the glTF has more than 262144 nodes, meshes, accessors and other objects; raise the limit "

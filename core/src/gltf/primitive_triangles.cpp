@@ -24,14 +24,11 @@ std::array<std::uint64_t, 3> cornersOf(int mode, std::uint64_t t) {
   return {3 * t, 3 * t + 1, 3 * t + 2};
 }
 
-/// Calls use(accessor, weight) for the morph targets of an attribute whose weight is not 0.
+/// Calls use(target, weight) for the morph targets whose weight is not 0.
 template <class Use>
-void forEachActiveTarget(const Primitive& primitive, std::span<const double> weights,
-                         const char* semantic, Use use) {
-  for (std::size_t t = 0; t < std::min(primitive.targets.size(), weights.size()); ++t) {
-    const auto target = primitive.targets[t].find(semantic);
-    if (weights[t] != 0 && target != primitive.targets[t].end()) use(target->second, weights[t]);
-  }
+void forEachActiveTarget(const Primitive& primitive, std::span<const double> weights, Use use) {
+  for (std::size_t t = 0; t < std::min(primitive.targets.size(), weights.size()); ++t)
+    if (weights[t] != 0) use(primitive.targets[t], weights[t]);
 }
 
 }  // namespace
@@ -61,10 +58,11 @@ PrimitiveSize sizeOf(const Primitive& primitive, std::span<const double> weights
     countZeros(indices);
     size.triangles = triangleCount(primitive.mode, indices.count);
   }
-  forEachActiveTarget(primitive, weights, "POSITION", [&](int accessor, double) {
+  forEachActiveTarget(primitive, weights, [&](const Attributes& target, double) {
     size.vertices += positions.count;
     size.countedAgain += positions.count;
-    countZeros(accessors.at(accessor, name));
+    if (const auto moved = target.find("POSITION"); moved != target.end())
+      countZeros(accessors.at(moved->second, name));
   });
   return size;
 }
@@ -84,8 +82,9 @@ AttributeReading::AttributeReading(const Primitive& primitive, const char* seman
     layers_.push_back({accessors.start(accessor, as, name, values), weight});
   };
   addLayer(primitive.attributes.at(semantic), format, 1);
-  forEachActiveTarget(primitive, weights, semantic, [&](int accessor, double weight) {
-    addLayer(accessor, kDisplacements, weight);
+  forEachActiveTarget(primitive, weights, [&](const Attributes& target, double weight) {
+    if (const auto moved = target.find(semantic); moved != target.end())
+      addLayer(moved->second, kDisplacements, weight);
   });
 }
 
