@@ -113,6 +113,24 @@ test('reading is sliced in every format: it tells how far it is, and can be give
   }
 });
 
+test('decompression can be given up', async ({ mock }) => {
+  const many = (json) => {
+    const [mesh] = json.meshes;
+    mesh.primitives = Array.from({ length: 50 }, () => structuredClone(mesh.primitives[0]));
+  };
+  const file = await dracoGlb(octahedron(), many);
+  await gvd.mesh(file); // now the modules are there
+  const control = new AbortController();
+  const { instantiate } = WebAssembly;
+  let started = 0;
+  mock.method(WebAssembly, 'instantiate', (...args) => {
+    if (++started === 2) control.abort(new Error('enough'));
+    return instantiate(...args);
+  });
+  await assert.rejects(gvd.mesh(file, { signal: control.signal }), { message: 'enough' });
+  assert.equal(started, 2, 'primitives were decompressed that nobody wants');
+});
+
 test('words of a text are whole, wherever it is taken apart', async () => {
   // Longer than what is decoded at a time: a byte more in front puts the cuts into other words.
   const { positions, indices } = bumpySphere(40, 60);

@@ -19,6 +19,7 @@ import {
   type Resources,
 } from './gltf_document.js';
 import { GltfData, whole } from './gltf_data.js';
+import type { TaskOptions } from '../api/options.js';
 
 /** Names of buffers that no file has, since they are no URIs. */
 const binaryName = '<binary chunk>';
@@ -28,11 +29,12 @@ export async function decompressed(
   document: GltfDocument,
   resources: Resources,
   dracoModule: () => Promise<WebAssembly.Module>,
+  task: TaskOptions,
 ): Promise<GltfFile> {
   const { json, binary } = document;
   const data = new GltfData(document, resources);
-  await decompressViews(data);
-  await decompressPrimitives(json, data, dracoModule);
+  await decompressViews(data, task);
+  await decompressPrimitives(json, data, dracoModule, task);
   for (const list of ['extensionsUsed', 'extensionsRequired']) {
     if (json[list] === undefined) continue;
     const names = [json[list]].flat();
@@ -57,11 +59,12 @@ export async function decompressed(
 }
 
 /** Every buffer view that is compressed becomes one of the new buffer. */
-async function decompressViews(data: GltfData): Promise<void> {
+async function decompressViews(data: GltfData, { signal }: TaskOptions): Promise<void> {
   for (const [i, view] of data.list('bufferViews').entries()) {
     const name = meshoptExtensions.find((extension) => extensionOf(view, extension));
     if (!name) continue;
     const { decodeMeshopt } = await imported(import('./meshopt.js'));
+    signal?.throwIfAborted();
     const content = await decodeMeshopt(extensionOf(view, name)!, data, `buffer view ${i}`);
     Object.assign(view, data.add(content));
     delete (view.extensions as JsonObject)[name];
@@ -73,6 +76,7 @@ async function decompressPrimitives(
   json: JsonObject,
   data: GltfData,
   dracoModule: () => Promise<WebAssembly.Module>,
+  { signal }: TaskOptions,
 ): Promise<void> {
   for (const [m, mesh] of objectsOf(json.meshes).entries()) {
     for (const [p, primitive] of objectsOf(mesh.primitives).entries()) {
@@ -81,6 +85,7 @@ async function decompressPrimitives(
       const where = `primitive ${p} of mesh ${m}`;
       const view = data.entry('bufferViews', compression.bufferView, `the bufferView of ${where}`);
       const { openDraco } = await imported(import('./draco.js'));
+      signal?.throwIfAborted();
       const draco = await openDraco(await dracoModule(), data.bytesOf(view, where), where);
       Object.assign(primitive, {
         attributes: decompressedAttributes(primitive, compression, draco, data, where),

@@ -104,7 +104,7 @@ export async function readModel(
   const sizes = toSizeLimits(limits);
   switch (format) {
     case 'glTF': {
-      const readable = await readableGltf(bytes, resource, modules.draco);
+      const readable = await readableGltf(bytes, resource, modules.draco, task);
       const { parts, notes, ...triangles } = await readGltf(
         await modules.gltf(),
         readable,
@@ -142,6 +142,7 @@ async function readableGltf(
   bytes: Uint8Array,
   resource: (uri: string) => Promise<Uint8Array | undefined>,
   dracoModule: () => Promise<CompiledModule>,
+  task: TaskOptions,
 ): Promise<GltfFile> {
   const head = parseGltfHead(bytes) ?? {};
   const resources: Resources = {};
@@ -150,6 +151,6 @@ async function readableGltf(
     if (content) resources[uri] = content;
   }
   return isCompressed(head)
-    ? decompressed(parseGltf(bytes), resources, dracoModule)
+    ? decompressed(parseGltf(bytes), resources, dracoModule, task)
     : { bytes, resources };
 }
