@@ -131,6 +131,27 @@ test('decompression can be given up', async ({ mock }) => {
   assert.equal(started, 2, 'primitives were decompressed that nobody wants');
 });
 
+test('compressed buffers are decoded in slices', async ({ mock }) => {
+  let clock = 0;
+  mock.method(performance, 'now', () => (clock += 1000)); // every step is a slice
+  const turnsFor = async (copies) => {
+    const file = await meshoptGlb(octahedron(), undefined, ({ bufferViews }) => {
+      const [view] = bufferViews;
+      for (let i = 0; i < copies; ++i) bufferViews.push(structuredClone(view));
+    });
+    let turns = 0;
+    let turn = setImmediate(function next() {
+      ++turns;
+      turn = setImmediate(next);
+    });
+    await gvd.mesh(file);
+    clearImmediate(turn);
+    return turns;
+  };
+  await turnsFor(0); // loads what decodes
+  assert.ok((await turnsFor(100)) > (await turnsFor(0)) + 50);
+});
+
 test('words of a text are whole, wherever it is taken apart', async () => {
   // Longer than what is decoded at a time: a byte more in front puts the cuts into other words.
   const { positions, indices } = bumpySphere(40, 60);

@@ -20,6 +20,8 @@ import {
 } from './gltf_document.js';
 import { GltfData, whole } from './gltf_data.js';
 import type { TaskOptions } from '../api/options.js';
+import type { MeshoptDecoding } from './meshopt.js';
+import { inSlices, type SlicedWork } from '../base/slices.js';
 
 /** Names of buffers that no file has, since they are no URIs. */
 const binaryName = '<binary chunk>';
@@ -60,15 +62,25 @@ export async function decompressed(
 
 /** Every buffer view that is compressed becomes one of the new buffer. */
 async function decompressViews(data: GltfData, { signal }: TaskOptions): Promise<void> {
+  if (!data.list('bufferViews').some(meshoptOf)) return;
+  const { openMeshopt } = await imported(import('./meshopt.js'));
+  await inSlices(decompressingViews(data, await openMeshopt()), { signal });
+}
+
+function* decompressingViews(data: GltfData, decode: MeshoptDecoding): SlicedWork<void> {
   for (const [i, view] of data.list('bufferViews').entries()) {
-    const name = meshoptExtensions.find((extension) => extensionOf(view, extension));
+    const name = meshoptOf(view);
     if (!name) continue;
-    const { decodeMeshopt } = await imported(import('./meshopt.js'));
-    signal?.throwIfAborted();
-    const content = await decodeMeshopt(extensionOf(view, name)!, data, `buffer view ${i}`);
+    const content = decode(extensionOf(view, name)!, data, `buffer view ${i}`);
     Object.assign(view, data.add(content));
     delete (view.extensions as JsonObject)[name];
+    yield 0; // the share is not told
   }
+}
+
+/** The extension by which a buffer view is compressed. */
+function meshoptOf(view: JsonObject): string | undefined {
+  return meshoptExtensions.find((name) => extensionOf(view, name));
 }
 
 /** Every primitive that is compressed gets accessors of its own. */

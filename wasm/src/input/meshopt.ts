@@ -29,12 +29,19 @@ const filters: Record<string, (stride: number) => boolean> = {
  */
 const maxRatio = 1024;
 
-/** The content of a buffer view with such an extension. */
-export async function decodeMeshopt(
+/** Gives the content of a buffer view by its extension; `where` names it in errors. */
+export type MeshoptDecoding = (
   compression: JsonObject,
   data: GltfData,
   where: string,
-): Promise<Uint8Array> {
+) => Uint8Array<ArrayBuffer>;
+
+export async function openMeshopt(): Promise<MeshoptDecoding> {
+  await MeshoptDecoder.ready;
+  return decoded;
+}
+
+function decoded(compression: JsonObject, data: GltfData, where: string): Uint8Array<ArrayBuffer> {
   const packed = data.bytesOf(compression, where);
   const count = whole(compression.count, `the count of ${where}`);
   const stride = whole(compression.byteStride, `the byteStride of ${where}`);
@@ -58,7 +65,6 @@ export async function decodeMeshopt(
     throw damagedData(where);
   }
   const content = new Uint8Array(count * stride);
-  await MeshoptDecoder.ready;
   try {
     MeshoptDecoder.decodeGltfBuffer(content, count, stride, packed, mode, filter);
   } catch (cause) {
