@@ -22,6 +22,8 @@ type ListName = (typeof listNames)[number];
 export class GltfData {
   readonly #document: GltfDocument;
   readonly #resources: Resources;
+  /** The contents of data URIs, by buffer: many views may be of one. */
+  readonly #decoded = new Map<number, Uint8Array>();
   readonly #added: Uint8Array[] = [];
   #addedBytes = 0;
 
@@ -89,9 +91,15 @@ export class GltfData {
     if (uri === undefined && index === 0 && binary) return binary;
     if (typeof uri !== 'string')
       throw gltfFault(`buffer ${index}, which ${what} needs, has no uri`);
-    if (/^data:/i.test(uri)) return dataUriContent(uri, `buffer ${index}`);
+    if (/^data:/i.test(uri)) return this.#decodedBuffer(index as number, uri);
     if (Object.hasOwn(this.#resources, uri)) return this.#resources[uri];
     throw gltfFault(`buffer ${index} needs the file "${uri}", which is missing`);
+  }
+
+  #decodedBuffer(index: number, uri: string): Uint8Array {
+    const content = this.#decoded.get(index) ?? dataUriContent(uri, `buffer ${index}`);
+    this.#decoded.set(index, content);
+    return content;
   }
 }
 
