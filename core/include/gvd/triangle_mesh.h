@@ -166,7 +166,8 @@ class TriangleMesh {
   /// The next outgoing halfedge counterclockwise, -1 past the last face of a boundary vertex.
   int rotate(int h) const { return twin(previous(h)); }
 
-  /// Calls `visit` with every vertex that shares an edge with v, and the length of the edge.
+  /// Calls `visit` with every vertex that shares an edge with v, and the length of the edge. Once
+  /// per edge: where one was cut, both of its copies may end at the same two vertices.
   template <class Visit>
   void visitEdges(int v, Visit visit) const {
     const Face* last = nullptr;
@@ -180,7 +181,7 @@ class TriangleMesh {
     if (last->twins[side] < 0) visit(last->vertices[side], last->lengths[side]);
   }
 
-  /// Calls `visit` with every vertex that shares an edge with v.
+  /// Calls `visit` with every vertex that shares an edge with v, once per edge.
   template <class Visit>
   void visitNeighbours(int v, Visit visit) const {
     visitEdges(v, [&](int neighbour, double) { visit(neighbour); });
