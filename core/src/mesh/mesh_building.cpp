@@ -15,6 +15,7 @@
 #include "base/rejection.h"
 #include "base/sliced_loop.h"
 #include "gvd/sliced_work.h"
+#include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 #include "mesh/given_triangles.h"
 #include "mesh/input_map.h"
@@ -288,7 +289,7 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
     TriangleMesh::Face& face = mesh_.faces_[f];
     face.lengths = t.lengths;
     for (int i = 0; i < 3; ++i) {
-      const double product = t.lengths[i] * t.lengths[TriangleMesh::previous(i)];
+      const double product = t.lengths[i] * t.lengths[cornerBefore(i)];
       face.cosines[i] = t.dots[i] / product;
       face.sines[i] = t.twiceArea / product;
       face.angles[i] = std::atan2(t.twiceArea, t.dots[i]);
