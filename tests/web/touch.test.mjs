@@ -174,6 +174,21 @@ suite('by fingers', () => {
     assert.deepEqual(await viewer.sites(), before);
   });
 
+  test('a tap beside a finger that stays adds nothing', async () => {
+    const before = await viewer.sites();
+    const place = await viewer.freePlace();
+    const other = shifted(place, 40, 40);
+    await touch('touchStart', place);
+    await touch('touchStart', place, other);
+    await touch('touchEnd', place); // the second stays
+    await touch('touchStart', place, other);
+    await touch('touchEnd', place);
+    await touch('touchEnd');
+    await viewer.drawn();
+    await viewer.settled();
+    assert.deepEqual(await viewer.sites(), before);
+  });
+
   test('the selected site is removed by a button', async () => {
     const remove = viewer.page.locator('#remove');
     assert.equal(await remove.isEnabled(), false, 'there is none');

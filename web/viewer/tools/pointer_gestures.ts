@@ -69,6 +69,8 @@ export class PointerGestures {
       this.#tools.approach((x + event.clientX) / 2, (y + event.clientY) / 2);
       return;
     }
+    // One more finger beside one that stays on the view, as when a pinch is taken up again.
+    if (!event.isPrimary) return;
     const { clientX: x, clientY: y, pointerId: pointer } = event;
     const site = isPlain(event) ? this.#grasped(x, y, reachOf(event)) : undefined;
     this.#press = { event, pointer, x, y, site, moved: false };
