@@ -97,6 +97,9 @@ suite('the page', () => {
 
     await viewer.after('diagram', () => press('Control+y'));
     assert.equal(await viewer.regionCount(), 61);
+    await viewer.page.focus('#exploded'); // which has no use for the key
+    await viewer.after('diagram', () => press('Control+z'));
+    assert.deepEqual(await viewer.sites(), sites);
   });
 
   test('a right click on a site removes it', async () => {

@@ -59,7 +59,7 @@ export function setUpKeyboard(viewer: GeodesicVoronoiElement): void {
 /** Whether the key goes to a field that takes text or keys. */
 function isTyping({ target }: Event): boolean {
   if (target instanceof HTMLInputElement)
-    return !['checkbox', 'radio', 'button'].includes(target.type);
+    return !['checkbox', 'radio', 'button', 'range'].includes(target.type);
   // The list of sites is no field: Delete there removes the selected site.
   return target instanceof HTMLSelectElement && target.size <= 1;
 }
