@@ -729,8 +729,12 @@ suite('the page', () => {
       return { x: box.left + box.width / 2, y: box.top + box.height / 2 };
     });
     const count = await viewer.siteCount();
+    await drag({ x, y }, { x: x + 40, y });
+    assert.equal(await viewer.page.locator('#note').isVisible(), false, 'turning is no click');
+    await viewer.evaluate((viewer) => viewer.refit());
     await click({ x, y });
     assert.equal(await viewer.siteCount(), count, 'there is nothing to edit');
+    assert.match(await text(viewer, '#note-text'), /in the exploded view/);
     await slide(0);
     const again = await viewer.coverage(await viewer.picture(shown));
     assert.ok(Math.abs(again - together) < 0.01 * together);

@@ -126,8 +126,11 @@ function setUpExploded(viewer: GeodesicVoronoiElement): void {
   // The note explains why a click on these regions does nothing, and ends with the view.
   const end = { title: 'End the exploded view', act: () => (viewer.exploded = 0) };
   let endNote = () => {};
+  // A press that turns the model is followed by a click, too.
+  let pressedOrbit = '';
+  viewer.addEventListener('pointerdown', () => (pressedOrbit = viewer.cameraOrbit));
   viewer.addEventListener('click', () => {
-    if (viewer.exploded > 0 && viewer.diagram) {
+    if (viewer.exploded > 0 && viewer.diagram && viewer.cameraOrbit === pressedOrbit) {
       endNote = showNote('No site can be added or moved in the exploded view.', end);
     }
   });
