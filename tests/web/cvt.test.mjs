@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import assert from 'node:assert/strict';
 import { beforeEach, suite, test } from 'node:test';
-import { glb } from '../wasm/meshes.mjs';
+import { glb, octahedron } from '../wasm/meshes.mjs';
 import { torus } from '../../web/page/samples/shapes.mjs';
 import { browserForTests } from './browser.mjs';
 
@@ -292,6 +292,19 @@ suite('the centroidal tessellation', () => {
     await viewer.page.mouse.down();
     const told = await viewer.after('hover', () => viewer.page.mouse.move(x + 12, y));
     assert.ok(told.region >= 0);
+  });
+
+  test('a brush that reaches no vertex says so', async () => {
+    await viewer.after('diagram', () => viewer.choose({ 'octahedron.glb': glb(octahedron()) }));
+    const { x, y } = await viewer.evaluate((viewer) => {
+      viewer.setAttribute('tool', 'density');
+      viewer.setAttribute('brush-size', '5');
+      const { left, top, width, height } = viewer.getBoundingClientRect();
+      return { x: left + 0.52 * width, y: top + 0.55 * height };
+    });
+    await viewer.page.mouse.click(x, y);
+    await viewer.page.locator('geodesic-voronoi .hint.shown', { hasText: /larger than/ }).waitFor();
+    assert.equal(await viewer.evaluate(({ density }) => density), undefined);
   });
 
   test('a stroke that another model ends is not one on that', async () => {

@@ -59,7 +59,9 @@ export class DensityPaint {
       throw new RangeError(`density is ${density[wrong]} at vertex ${wrong}, not 0 or above.`);
   }
 
-  dab({ face, place }: SurfaceHit, { radius, density }: Brush): void {
+  /** Returns whether any vertex is within reach: where triangles are large, there may be none. */
+  dab({ face, place }: SurfaceHit, { radius, density }: Brush): boolean {
+    let reaches = false;
     this.#adjacency ??= new Adjacency(this.#mesh);
     const { positions } = this.#mesh;
     const target = tintOf(density);
@@ -74,8 +76,10 @@ export class DensityPaint {
       const tint = this.#tints[v] + share * (target - this.#tints[v]);
       // Without this, the tint would approach its target forever.
       this.#tints[v] = Math.abs(tint - target) < 0.01 ? target : tint;
+      reaches = true;
       return true;
     });
+    return reaches;
   }
 }
 

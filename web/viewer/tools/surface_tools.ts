@@ -231,8 +231,9 @@ export class SurfaceTools {
     const { attributes, model } = this.#work;
     const hit = this.pick(device);
     if (!hit || !model) return undefined;
-    model.paint.dab(hit, attributes.brush);
-    this.#showTints(model);
+    if (model.paint.dab(hit, attributes.brush)) this.#showTints(model);
+    else
+      this.#work.hint('The triangles are larger than the brush: it reaches none of their corners');
     return hit;
   }
 
