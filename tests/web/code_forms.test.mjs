@@ -71,6 +71,12 @@ suite('code', () => {
     assert.doesNotMatch(codeOf(viewer, model, 'sampled', 'script'), /up|layers|orbit/);
   });
 
+  test('holds attributes with any characters', () => {
+    const viewer = viewerWith({ ...ofPage, layers: '"><script>&' });
+    const code = codeOf(viewer, model, 'sampled', 'element');
+    assert.match(code, / layers="&quot;><script>&amp;" camera-orbit/);
+  });
+
   test('no name of a file ends the comment that tells of it', () => {
     const odd = { name: 'a --> b --!> c.obj' };
     const [comment, ...rest] = codeOf(viewerWith(ofPage), odd, 'edited', 'element').split('\n');

@@ -123,9 +123,10 @@ function changed(
     .filter(([name, value]) => value !== attributeDefaults[name]);
 }
 
-/** Attributes as HTML. */
+/** Attributes as HTML. A link may have given them any value. */
 function html(attributes: readonly [name: string, value: string][]): string {
-  return attributes.map(([name, value]) => ` ${name}="${value}"`).join('');
+  const escaped = (value: string) => value.replace(/&/g, '&amp;').replace(/"/g, '&quot;');
+  return attributes.map(([name, value]) => ` ${name}="${escaped(value)}"`).join('');
 }
 
 /** Attributes as options of the command, which are called so, too, but for a prefix. */
