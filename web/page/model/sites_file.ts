@@ -11,6 +11,7 @@ import { sentence } from '../../viewer/session/failure.js';
 import { byId } from '../base/dom.js';
 import { hideError, showError, showNoteOnSites } from '../base/messages.js';
 import { counted, integer, measure } from '../base/numbers.js';
+import { isSame } from '../base/same_sites.js';
 
 /** How far places are from the surface before it is told, in diagonals of the model. */
 const mostFar = 0.05;
@@ -68,16 +69,12 @@ export async function openSites(viewer: GeodesicVoronoiElement, file: File): Pro
     if (mesh !== viewer.mesh) return;
     const before = viewer.sites;
     viewer.sites = present(sites);
-    if (areSame(before, viewer.sites))
+    if (isSame(before, viewer.sites))
       showNoteOnSites(viewer, `${name} has the sites that are shown.`);
     else tellOfPoints(viewer, file, Math.max(0, ...distance));
   } catch (error) {
     showError(sentence(`${name} cannot be opened as sites`, error).message);
   }
-}
-
-function areSame(some: SurfacePoints, others: SurfacePoints): boolean {
-  return String([some.face, some.bary]) === String([others.face, others.bary]);
 }
 
 /**
