@@ -8,7 +8,7 @@ import type { OpenModel } from '../model/open_model.js';
 
 export class WireframeLayer {
   readonly #place: DrawingPlace;
-  /** The model whose edges have been asked for. */
+  /** The model whose edges have been asked for, if it is the present one. */
   #model: OpenModel | undefined;
 
   constructor(place: DrawingPlace) {
@@ -18,8 +18,9 @@ export class WireframeLayer {
   /** Finds the edges if the attributes ask for them. */
   async update(): Promise<void> {
     const { attributes, model, stage } = this.#place;
-    if (!model || model === this.#model || !attributes.layers.includes('wireframe')) return;
-    this.#model = model;
+    if (model === this.#model) return;
+    this.#model = attributes.layers.includes('wireframe') ? model : undefined;
+    if (!model || !this.#model) return;
     const edges = await model.builder.edges();
     if (model !== this.#place.model) return;
     model.drawing.setEdges(edges ?? meshEdges(model.drawing.mesh.indices));
