@@ -60,6 +60,7 @@ suite('access', () => {
     for (const [width, height, isMobile] of [
       [640, 360, true],
       [844, 390, true],
+      [720, 450, false],
       [1000, 300, false],
     ]) {
       const viewer = await browser.open({
