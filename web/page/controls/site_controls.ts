@@ -23,11 +23,11 @@ const debrisShare = 0.05;
 function setUpBareNote(viewer: GeodesicVoronoiElement): void {
   const note = byId('bare-note', HTMLElement);
   const update = async () => {
-    const { mesh, info, sites } = viewer;
+    const { mesh, info, sites, diagram } = viewer;
     if (!mesh || !info) return;
     const isAsked = info.components > 1 && sites.face.length > 0;
     const bare = isAsked ? await mesh.bareComponents(sites) : { components: 0, area: 0 };
-    if (mesh !== viewer.mesh) return;
+    if (mesh !== viewer.mesh || diagram !== viewer.diagram) return;
     note.hidden = bare.components === 0;
     const share = bare.area / info.area;
     const advice =
