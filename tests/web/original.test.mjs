@@ -49,8 +49,11 @@ const image = png([
   [red, blue],
 ]);
 
-/** The square as glTF; its image is a file beside it, or in its buffer. */
-function square({ imageFile } = {}) {
+/**
+ * The square as glTF; its image is a file beside it, or in its buffer. A morph target may shift it to
+ * the right.
+ */
+function square({ imageFile, shift } = {}) {
   const positions = corners.flatMap(([x, y]) => [x, y, 0]);
   const uvs = Float32Array.from(corners.flatMap(([x, y]) => [(x + 1) / 2, (1 - y) / 2]));
   const { json, buffer } = gltf({ positions, indices: triangles }, { translation: [100, 0, 0] });
@@ -64,6 +67,18 @@ function square({ imageFile } = {}) {
   json.accessors.push({ bufferView: view, componentType: 5126, count: 4, type: 'VEC2' });
   const [primitive] = json.meshes[0].primitives;
   Object.assign(primitive, { material: 0, attributes: { POSITION: 0, TEXCOORD_0: 2 } });
+  if (shift) {
+    const offset = [shift, 0, 0];
+    const shifts = Float32Array.from(corners.flatMap(() => offset));
+    const bounds = { type: 'VEC3', min: offset, max: offset };
+    const target = {
+      bufferView: addView(Buffer.from(shifts.buffer)),
+      componentType: 5126,
+      count: 4,
+    };
+    primitive.targets = [{ POSITION: json.accessors.push({ ...target, ...bounds }) - 1 }];
+    json.meshes[0].weights = [1];
+  }
   const source = imageFile
     ? { uri: imageFile }
     : { bufferView: addView(image), mimeType: 'image/png' };
@@ -154,6 +169,9 @@ test('textures and vertex colours are shown where the file has them', async () =
     'colours.png': image,
   });
   assertRedThenBlue(await countsOf(viewer), 'a texture beside the file');
+
+  await shown(viewer, { 'shifted.gltf': square({ shift: 3 }) });
+  assertRedThenBlue(await countsOf(viewer), 'with a morph target');
 
   const [left, right] = [red, blue];
   const coloured = await shown(viewer, { 'own.ply': ply([left, right, right, left]) });

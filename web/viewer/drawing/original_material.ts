@@ -84,14 +84,45 @@ function plainly(part: Mesh): Mesh {
   });
   const isSkinned = 'isSkinnedMesh' in part;
   const isInstanced = 'isInstancedMesh' in part;
-  const mesh = isInstanced ? part.clone(false) : new Mesh(part.geometry);
+  const mesh = isInstanced ? part.clone(false) : new Mesh();
+  mesh.geometry = morphed(part);
   mesh.material = material;
-  mesh.morphTargetInfluences = part.morphTargetInfluences;
   mesh.matrixAutoUpdate = false;
   if (isSkinned) mesh.matrix.identity();
   else mesh.matrix.copy(part.matrixWorld);
   mesh.frustumCulled = false;
   return mesh;
+}
+
+/**
+ * The geometry of a part with its morph targets applied, as in the library's mesh: the page's three.js
+ * has none, and could not draw them.
+ */
+function morphed({ geometry, morphTargetInfluences: weights = [] }: Mesh): BufferGeometry {
+  const targets = Object.entries(geometry.morphAttributes);
+  if (targets.length === 0) return geometry;
+  const result = new BufferGeometry().setIndex(geometry.index);
+  for (const [name, attribute] of Object.entries(geometry.attributes))
+    result.setAttribute(name, attribute);
+  for (const [name, differences] of targets) {
+    if (!geometry.hasAttribute(name)) continue;
+    const before = geometry.getAttribute(name);
+    const { count, itemSize } = before;
+    const after = new BufferAttribute(new Float32Array(count * itemSize), itemSize);
+    const active = differences
+      .map((difference, target) => ({ difference, weight: weights[target] ?? 0 }))
+      .filter(({ weight }) => weight !== 0);
+    for (let i = 0; i < count; ++i) {
+      for (let k = 0; k < itemSize; ++k) {
+        let value = before.getComponent(i, k);
+        for (const { difference, weight } of active)
+          if (k < difference.itemSize) value += weight * difference.getComponent(i, k);
+        after.setComponent(i, k, value);
+      }
+    }
+    result.setAttribute(name, after);
+  }
+  return result;
 }
 
 async function gltfScene(bytes: Uint8Array, resource: Resource): Promise<Object3D | undefined> {
