@@ -27,7 +27,8 @@ function setUpHistory(viewer: GeodesicVoronoiElement): void {
 }
 
 function setUpAxis(viewer: GeodesicVoronoiElement): void {
-  const axis = () => attributeOf(viewer, 'up');
+  // A link may have any text there, which the viewer takes for y.
+  const axis = () => axes.find((each) => each === attributeOf(viewer, 'up')) ?? 'y';
   const button = onClick('up', () => {
     viewer.setAttribute('up', axes[(axes.indexOf(axis()) + 1) % axes.length]);
   });
