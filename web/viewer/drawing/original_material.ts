@@ -9,6 +9,7 @@ import {
   BufferGeometry,
   DoubleSide,
   Group,
+  InstancedMesh,
   type Material,
   Mesh,
   MeshLambertMaterial,
@@ -66,7 +67,10 @@ export async function originalMaterial(
   );
   if (textures.size === 0 && !isColoured) return undefined;
   const dispose = () => {
-    for (const { geometry } of parts) geometry.dispose();
+    for (const part of parts) {
+      part.geometry.dispose();
+      if (part instanceof InstancedMesh) part.dispose();
+    }
     for (const each of [...materials, ...textures]) each.dispose();
     for (const { image } of textures) (image as ImageBitmap).close();
   };
@@ -83,8 +87,7 @@ function plainly(part: Mesh): Mesh {
     ...behindLines,
   });
   const isSkinned = 'isSkinnedMesh' in part;
-  const isInstanced = 'isInstancedMesh' in part;
-  const mesh = isInstanced ? part.clone(false) : new Mesh();
+  const mesh = part instanceof InstancedMesh ? part.clone(false) : new Mesh();
   mesh.geometry = morphed(part);
   mesh.material = material;
   mesh.matrixAutoUpdate = false;
