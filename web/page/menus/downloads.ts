@@ -84,6 +84,6 @@ function rowOf(row: Row, choose: (format: string, button: HTMLButtonElement) => 
 function save(blob: Blob, name: string): void {
   const link = make('a', { href: URL.createObjectURL(blob), download: name });
   link.click();
-  // Some browsers begin to read the file only in a later task.
-  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+  // Some browsers read the file only once the reader has said where to.
+  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
 }

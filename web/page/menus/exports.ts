@@ -2,9 +2,10 @@
 //
 // Makes the files of the download menu. This code is fetched after the first diagram.
 
-import type { AttributeSource, Diagram, DiagramData } from 'geodesic-voronoi';
+import type { AttributeSource, Diagram, DiagramData, PolygonMesh } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement, Status } from '../../viewer/element.js';
 import { linear } from '../../viewer/buffers/colour_vision.js';
+import { counted } from '../base/numbers.js';
 import { downloadName, type Formats } from './download_rows.js';
 import { encode } from './encoding.js';
 import { outlinesSvg } from './outline_svg.js';
@@ -17,6 +18,8 @@ interface Source {
   viewer: GeodesicVoronoiElement;
   diagram: Diagram;
   mesh: AttributeSource | undefined;
+  /** Sentences on what makes the file an invalid mesh, which encoders add. */
+  violations: (string | undefined)[];
 }
 
 type Encoder = (source: Source) => Blob | Promise<Blob>;
@@ -75,8 +78,8 @@ const encoders: Record<string, Record<string, Encoder>> = {
       }),
     stl: async ({ diagram }) => encode(mediaTypes.zip, 'partitionStls', await diagram.partition()),
   },
-  polygons: polygonEncoders(true),
-  dual: polygonEncoders(false),
+  polygons: polygonEncoders(regionPolygons),
+  dual: polygonEncoders(dualPolygons),
 } satisfies { [Name in Exclude<keyof Formats, 'picture'>]: Record<Formats[Name], Encoder> };
 
 /** The data of a diagram that has any bisectors: a file without content is of no use. */
@@ -86,12 +89,30 @@ async function bisectorsOf(diagram: Diagram): Promise<DiagramData> {
   return data;
 }
 
-function polygonEncoders(primal: boolean): Record<Formats['dual'], Encoder> {
-  const polygons = async ({ diagram }: Source) => {
-    const made = await diagram.dual({ primal });
-    if (made.faces.offset.length > 1) return made;
-    throw new Error(`the ${primal ? 'regions have' : 'dual has'} no polygons`);
-  };
+async function dualPolygons({ diagram, violations }: Source): Promise<PolygonMesh> {
+  violations.push(violationSentence('The dual in the file is', await diagram.violations()));
+  const dual = await diagram.dual();
+  if (dual.faces.offset.length < 2) throw new Error('the dual has no polygons');
+  return dual;
+}
+
+async function regionPolygons({ viewer, diagram, violations }: Source): Promise<PolygonMesh> {
+  violations.push(violationSentence('The polygons in the file are', await diagram.violations()));
+  const polygons = await diagram.dual({ primal: true });
+  const { faceLabel, faces } = polygons;
+  // Files leave out polygons of one or two corners.
+  const drawn = new Set(faceLabel.filter((_, i) => faces.offset[i + 1] - faces.offset[i] > 2));
+  if (drawn.size === 0) throw new Error('the regions have no polygons');
+  const missing = viewer.regionAreas.filter((area, label) => area > 0 && !drawn.has(label)).length;
+  if (missing > 0)
+    violations.push(`It leaves out ${counted(missing, 'region')} of fewer than three corners.`);
+  return polygons;
+}
+
+/** The encoders of polygons, which may be no valid mesh. */
+function polygonEncoders(
+  polygons: (source: Source) => Promise<PolygonMesh>,
+): Record<Formats['dual'], Encoder> {
   return {
     glb: async (source) =>
       encode(mediaTypes.glb, 'polygonGlb', await polygons(source), { mesh: source.mesh }),
@@ -121,15 +142,9 @@ function coloursOf(viewer: GeodesicVoronoiElement): number[][] {
 interface ExportedFile {
   blob: Blob;
   name: string;
-  /** The violations of the mesh in it, as a sentence. */
-  violations?: string | undefined;
+  /** The violations of the mesh in it, as sentences; empty if there are none. */
+  violations: string;
 }
-
-/** The files that can be invalid meshes; the sentence on their violations begins so. */
-const polygonFiles: Record<string, string> = {
-  dual: 'The dual in the file is',
-  polygons: 'The polygons in the file are',
-};
 
 /** The diagram, once it is the one that is asked for. A tessellation that plays is paused. */
 async function restingDiagram(viewer: GeodesicVoronoiElement): Promise<Diagram | undefined> {
@@ -152,15 +167,14 @@ export async function fileOf(
   if (name === 'picture') {
     const scale = parseInt(format, 10);
     const file = downloadName(modelName(viewer), scale === 1 ? name : `${name}@${scale}x`, 'png');
-    return { blob: await viewer.toBlob('image/png', undefined, scale), name: file };
+    return { blob: await viewer.toBlob('image/png', undefined, scale), name: file, violations: '' };
   }
   const diagram = await restingDiagram(viewer);
   if (!diagram) throw new Error('there is no diagram');
   // Another model may be opened while the file is made.
   const [model, mesh] = [modelName(viewer), sourceOf(viewer)];
-  const what = polygonFiles[name];
-  const violations = what && violationSentence(what, await diagram.violations());
-  const blob = await encoders[name][format]({ viewer, diagram, mesh });
+  const violations: string[] = [];
+  const blob = await encoders[name][format]({ viewer, diagram, mesh, violations });
   const ending = blob.type === mediaTypes.zip ? 'zip' : format;
-  return { blob, name: downloadName(model, name, ending), violations };
+  return { blob, name: downloadName(model, name, ending), violations: violations.join(' ') };
 }

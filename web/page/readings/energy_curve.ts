@@ -58,7 +58,12 @@ export class EnergyCurve {
       line('axis', plot.left, plot.bottom, plot.right, plot.bottom),
       line('axis', plot.left, plot.top, plot.left, plot.bottom),
       text('start', plot.left, plot.bottom + 14, '0'),
-      text('end', plot.right, plot.bottom + 14, `${lastIteration} iterations`),
+      text(
+        'end',
+        plot.right,
+        plot.bottom + 14,
+        last < 0 ? 'iterations' : `${lastIteration} iterations`,
+      ),
       text('start', plot.left, plot.top - 9, 'energy (log)'),
     ];
     const middle = (plot.left + plot.right) / 2;

@@ -51,7 +51,9 @@ function endCaption(viewer: GeodesicVoronoiElement): void {
   listen(viewer, 'exploded', (parts) => {
     if (parts) caption.hidden = true;
   });
-  listen(viewer, 'sites-change', ({ selected }) => {
+  const onColours = caption.querySelector('span')!;
+  listen(viewer, 'sites-change', ({ count, selected }) => {
+    onColours.hidden = count === 0;
     if (selected >= 0) caption.hidden = true;
   });
 }
@@ -67,17 +69,21 @@ async function evenOut(viewer: GeodesicVoronoiElement, readings: CvtReadings): P
   }
   const { mesh, sites } = viewer;
   if (!mesh) return;
+  const isIdle = () => viewer.cvtStatus === 'idle';
   const iterations = Number(attributeOf(viewer, 'cvt-iterations'));
   const states: CvtState[] = [];
+  readings.tell('running');
   for await (const state of mesh.cvt(sites, { iterations })) states.push(state);
   const last = states.at(-1);
   // Changes that the reader has made meanwhile are kept.
   const isEdited = viewer.density !== undefined || !isSame(sites, viewer.sites);
-  if (!last || mesh !== viewer.mesh || isEdited) return;
+  if (!last || mesh !== viewer.mesh || isEdited) {
+    if (isIdle()) readings.tell('idle');
+    return;
+  }
   viewer.sites = last.sites;
   const { regionAreas: regionArea } = viewer;
   const hexagons = hexagonEnergy({ siteCount: regionArea.length, regionArea });
-  const isIdle = () => viewer.cvtStatus === 'idle';
   const show = () => {
     if (!isIdle()) return;
     for (const state of states) {

@@ -10,9 +10,6 @@ const longPressMilliseconds = 600;
 
 interface Press {
   event: PointerEvent;
-  pointer: number;
-  x: number;
-  y: number;
   /** The thing that is dragged; undefined for the camera. */
   site: number | 'brush' | undefined;
   moved: boolean;
@@ -63,24 +60,25 @@ export class PointerGestures {
     if (this.#isHandingOver) return;
     if (this.#press) {
       // A second finger turns a click or a drag of a site into a gesture of the camera.
-      const { site, event: first, x, y } = this.#press;
+      const { site, event: first } = this.#press;
       this.cancel();
       if (site !== undefined) this.#handOver(first);
-      this.#tools.approach((x + event.clientX) / 2, (y + event.clientY) / 2);
+      const x = (first.clientX + event.clientX) / 2;
+      this.#tools.approach(x, (first.clientY + event.clientY) / 2);
       return;
     }
     // One more finger beside one that stays on the view, as when a pinch is taken up again.
     if (!event.isPrimary) return;
-    const { clientX: x, clientY: y, pointerId: pointer } = event;
+    const { clientX: x, clientY: y } = event;
     const site = isPlain(event) ? this.#grasped(x, y, reachOf(event)) : undefined;
-    this.#press = { event, pointer, x, y, site, moved: false };
+    this.#press = { event, site, moved: false };
     if (event.pointerType === 'touch') this.#tools.hover(x, y);
     if (site === undefined) return;
 
     event.stopImmediatePropagation();
     // Not as by keys: no frame and no mark at the centre.
     this.#canvas.focus({ preventScroll: true, focusVisible: false } as FocusOptions);
-    this.#canvas.setPointerCapture(pointer);
+    this.#canvas.setPointerCapture(event.pointerId);
     if (site === 'brush') return;
     if (event.pointerType !== 'mouse') {
       this.#longPress = window.setTimeout(() => {
@@ -108,8 +106,9 @@ export class PointerGestures {
       this.#tools.hover(x, y);
       return;
     }
-    if (event.pointerId !== press.pointer) return;
-    if (!press.moved && Math.hypot(x - press.x, y - press.y) <= clickRadius) return;
+    const { pointerId, clientX, clientY } = press.event;
+    if (event.pointerId !== pointerId) return;
+    if (!press.moved && Math.hypot(x - clientX, y - clientY) <= clickRadius) return;
     // Not before: a second finger makes a pinch of the press.
     if (!press.moved && typeof press.site === 'number') this.#tools.select(press.site);
     press.moved = true;
@@ -121,7 +120,7 @@ export class PointerGestures {
 
   #up(event: PointerEvent): void {
     const press = this.#press;
-    if (!press || event.pointerId !== press.pointer) return;
+    if (!press || event.pointerId !== press.event.pointerId) return;
     if (press.site === 'brush') this.#tools.endStroke();
     else if (press.site !== undefined && press.moved) this.#tools.endMove();
     else if (press.site !== undefined) this.#tools.select(press.site);
