@@ -16,9 +16,14 @@
 #include "base/index_set.h"
 #include "base/sliced_loop.h"
 #include "diagram_checks.h"
+#include "distance/bounds_lowering.h"
+#include "distance/edge_bounds.h"
+#include "distance/label_change.h"
 #include "distance/label_turns.h"
+#include "distance/nearest_bounds.h"
 #include "distance/reached_loop.h"
 #include "distance/reaching_labels.h"
+#include "distance/site_set.h"
 #include "equality.h"
 #include "gvd/closest_point.h"
 #include "gvd/curvature.h"
@@ -168,6 +173,21 @@ TEST(SlicedWork, ATurnOfManyRoundsIsInterrupted) {
   budget = 1000;
   EXPECT_TRUE(turns.step(budget, goOn));
   EXPECT_EQ(rounds, 100);
+}
+
+/// The last site of a large component is removed: no label is near any of its vertices.
+TEST(SlicedWork, VerticesThatNoLabelReachesAreGoneThroughInSlices) {
+  const TriangleMesh mesh = shapes::icosphere(4).mesh();
+  const SiteSet sites(mesh);
+  EdgeBounds edgeBounds(mesh, sites);
+  NearestBounds bounds(mesh);
+  KnownEverywhere spread;
+  LabelChange change;
+  BoundsLowering lowering(mesh, spread, edgeBounds, bounds, change);
+  for (int v = 0; v < mesh.vertexCount(); ++v) change.resetVertices.push_back(v);
+  int steps = 1;
+  for (long budget = 1; !lowering.step(budget); budget = 1) ++steps;
+  EXPECT_GT(steps, mesh.vertexCount() / 8);
 }
 
 /// On a large mesh with a single site, its label has reached all vertices.

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "distance/bounds_lowering.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "base/index_set.h"
 
 namespace gvd {
 
 void BoundsLowering::beginChange() {
   turns_.clear();
-  missed_.clear();
+  goingOn_.clear();
   hasSpread_ = false;
-  sequence_ = {};
+  sequence_ = round_ = {};
 }
 
 bool BoundsLowering::step(long& budget) {
@@ -21,7 +24,8 @@ bool BoundsLowering::step(long& budget) {
               }),
       forEach(edgeBounds_.changed(), budget, kQuickRounds,
               [&](int i) { resetBound(edgeBounds_.changed()[i]); }),
-      [&] { startTurns(); }, [&] { return spread(budget); });
+      [&] { return lowerBy(change_.resumed, budget); }, [&] { startTurns(); },
+      [&] { return spread(budget); });
 }
 
 /// Hands an edge bound that has changed to the spread. Where a path along edges is now shorter than
@@ -34,48 +38,59 @@ void BoundsLowering::resetBound(int v) {
   change_.resetVertices.push_back(v);
 }
 
-void BoundsLowering::startTurns() {
-  bounded_ = change_.resetVertices;
-  edgeBounds_.clearChanged();
-  for (const int label : change_.started) turns_.addStart(label);
-  for (const int label : change_.resumed) {
-    lowerBy(label);
-    turns_.addResume(label);
-  }
+/// Lowers the bounds to the distances of some labels, in slices; true when done.
+bool BoundsLowering::lowerBy(std::span<const int> labels, long& budget) {
+  return reachedLoop_.run(spread_, labels, budget,
+                          [&](int label, int /*i*/, const ReachedVertex& r) {
+                            bounds_.lower(r.vertex, label, r.distance);
+                          });
 }
 
+void BoundsLowering::startTurns() {
+  edgeBounds_.clearChanged();
+  for (const int label : change_.started) turns_.addStart(label);
+  for (const int label : change_.resumed) turns_.addResume(label);
+}
+
+/// Lets labels spread, and then those go on that can reach missed vertices, until there are none.
 bool BoundsLowering::spread(long& budget) {
+  const std::vector<int>& bounded = change_.resetVertices;  // by paths along edges alone, at first
   do {
-    if (!turns_.step(budget)) return false;
-    hasSpread_ = true;
-  } while (requireMissed());
+    if (!round_.run([&] { return turns_.step(budget); }, [&] { hasSpread_ = true; },
+                    [&] { return lowerBy(goingOn_, budget); },
+                    [&](SlicedLoop& loop) {
+                      return loop.runWeighted(bounded.size(), budget, kQuickRounds,
+                                              [&](int i) { return findMissed(bounded[i]); });
+                    },
+                    [&] { requireMissed(); }))
+      return false;
+    round_ = {};
+  } while (!turns_.isEmpty());
   return true;
 }
 
-/// Lowers the bounds to the distances of a label.
-void BoundsLowering::lowerBy(int label) {
-  for (const ReachedVertex& r : spread_.reached(label)) bounds_.lower(r.vertex, label, r.distance);
+/// Finds out whether no label has reached the edge bound of a vertex. In needles, and in faces much
+/// longer than the distance, rounding may make straight paths longer than the path along edges, or
+/// lose them. Then the label that is nearest by way of a neighbour has to go on to the vertex: by
+/// windows that wait at its faces, or along the edge. Returns how many quick rounds it took.
+long BoundsLowering::findMissed(int v) {
+  if (bounds_[v].label >= 0) return 1;
+  bounds_[v] = {};
+  if (const Requirement nearest = nearestAround(v); nearest.label >= 0) missed_.push_back(nearest);
+  return 1 + static_cast<long>(mesh_.fan(v).size());
 }
 
-/// Finds vertices where no label has reached the edge bound. In needles, and in faces much longer
-/// than the distance, rounding may make straight paths longer than the path along edges, or lose
-/// them. Requires the label that is nearest by way of a neighbour to go on to each such vertex: by
-/// windows that wait at its faces, or along the edge. False if there are none.
-bool BoundsLowering::requireMissed() {
-  for (const Requirement& r : missed_) lowerBy(r.label);
-  missed_.clear();
+/// Requires what is missed. No turns are left if that is nothing.
+void BoundsLowering::requireMissed() {
   turns_.clear();
-  std::erase_if(bounded_, [&](int v) { return bounds_[v].label >= 0; });
-  for (const int v : bounded_) {
-    bounds_[v] = {};
-    const Requirement nearest = nearestAround(v);
-    if (nearest.label < 0) continue;
-    missed_.push_back(nearest);
-    if (!change_.hasStarted[nearest.label]) change_.resumed.push_back(nearest.label);
-  }
-  makeSet(change_.resumed);
   turns_.addRequired(missed_);
-  return !turns_.isEmpty();
+  goingOn_.clear();
+  for (const Requirement& r : missed_) goingOn_.push_back(r.label);
+  makeSet(goingOn_);
+  missed_.clear();
+  std::copy_if(goingOn_.begin(), goingOn_.end(), std::back_inserter(change_.resumed),
+               [&](int label) { return !change_.hasStarted[label]; });
+  makeSet(change_.resumed);
 }
 
 /// The label by which a path over a neighbour and the edge to it is shortest, and a face beside

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "base/sliced_loop.h"
@@ -9,6 +10,7 @@
 #include "distance/label_spread.h"
 #include "distance/label_turns.h"
 #include "distance/nearest_bounds.h"
+#include "distance/reached_loop.h"
 #include "gvd/triangle_mesh.h"
 
 namespace gvd {
@@ -38,10 +40,11 @@ class BoundsLowering {
 
  private:
   void resetBound(int vertex);
+  bool lowerBy(std::span<const int> labels, long& budget);
   void startTurns();
   bool spread(long& budget);
-  void lowerBy(int label);
-  bool requireMissed();
+  long findMissed(int vertex);
+  void requireMissed();
   Requirement nearestAround(int vertex) const;
 
   const TriangleMesh& mesh_;
@@ -51,11 +54,12 @@ class BoundsLowering {
 
   // The current change.
   LabelChange& change_;
-  SlicedSequence sequence_;
+  SlicedSequence sequence_, round_;
+  ReachedLoop reachedLoop_;
   LabelTurns turns_;
   bool hasSpread_ = false;           ///< whether all labels have; only missed vertices are left
-  std::vector<int> bounded_;         ///< vertices limited by paths along edges alone
-  std::vector<Requirement> missed_;  ///< of labels that go on to such vertices
+  std::vector<Requirement> missed_;  ///< of labels that go on to missed vertices
+  std::vector<int> goingOn_;         ///< these labels
 };
 
 }  // namespace gvd
