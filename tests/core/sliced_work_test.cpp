@@ -162,7 +162,7 @@ TEST(SlicedWork, ATurnOfManyRoundsIsInterrupted) {
   KnownEverywhere spread;
   LabelTurns turns(spread);
   const Requirement required = {.label = 0, .face = 0};
-  turns.addRequired({&required, 1});
+  turns.setRequired({&required, 1});
   int rounds = 0;
   const auto goOn = [&](int /*label*/, const std::vector<int>& faces) {
     return ++rounds < 100 ? faces : std::vector<int>();

@@ -82,8 +82,7 @@ long BoundsLowering::findMissed(int v) {
 
 /// Requires what is missed. No turns are left if that is nothing.
 void BoundsLowering::requireMissed() {
-  turns_.clear();
-  turns_.addRequired(missed_);
+  turns_.setRequired(missed_);
   goingOn_.clear();
   for (const Requirement& r : missed_) goingOn_.push_back(r.label);
   makeSet(goingOn_);

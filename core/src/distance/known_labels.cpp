@@ -40,10 +40,7 @@ bool KnownLabels::step(long& budget) {
       // 1. Owners.
       [&] { return finding_.step(budget); },
       // 2. Required distances.
-      [&] {
-        turns_.clear();
-        turns_.addRequired(finding_.requirements());
-      },
+      [&] { turns_.setRequired(finding_.requirements()); },
       [&] {
         constexpr double kShare = 0.9;
         const bool isDone = turns_.step(budget);

@@ -21,10 +21,7 @@ bool LabelClosure::step(long& budget) {
         return loop.runWeighted(changedFaces_.size(), budget, kQuickRounds,
                                 [&](int i) { return closeFace(changedFaces_.list()[i]); });
       },
-      [&] {
-        turns_.clear();
-        turns_.addRequired(found_);
-      },
+      [&] { turns_.setRequired(found_); },
       [&] {
         return turns_.step(budget,
                            [&](int l, const auto& faces) { return listRequired(l, faces); });

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "distance/label_turns.h"
 
-#include <algorithm>
-#include <numeric>
-
 #include "base/sliced_loop.h"
 
 namespace gvd {
@@ -15,31 +12,28 @@ void LabelTurns::clear() {
   hasBegun_ = false;
 }
 
-void LabelTurns::addRequired(std::span<const Requirement> requirements) {
-  int labelCount = 0;
-  for (const Requirement& r : requirements) labelCount = std::max(labelCount, r.label + 1);
-  std::vector<int> turnOf(labelCount, -1);
-  std::vector<size_t> first;  // of each turn's faces, and behind the last one
-  const size_t turnCount = turns_.size();
+void LabelTurns::setRequired(std::span<const Requirement> requirements) {
+  clear();
+  std::vector<int> turnOf;  // per label
   for (const Requirement& r : requirements) {
-    if (turnOf[r.label] < 0) {
-      turnOf[r.label] = static_cast<int>(first.size());
-      first.push_back(0);
-      turns_.push_back({r.label, Turn::kRequire, 0});
+    if (r.label >= static_cast<int>(turnOf.size())) turnOf.resize(r.label + 1, -1);
+    int& turn = turnOf[r.label];
+    if (turn < 0) {
+      turn = static_cast<int>(turns_.size());
+      turns_.push_back({r.label, Turn::kRequire});
     }
-    ++first[turnOf[r.label]];
+    ++turns_[turn].facesEnd;  // the number of its faces, then their begin, and at last their end
   }
-  std::exclusive_scan(first.begin(), first.end(), first.begin(), faces_.size());
-  for (size_t i = 0; i < first.size(); ++i) turns_[turnCount + i].firstFace = first[i];
-  faces_.resize(faces_.size() + requirements.size());
-  for (const Requirement& r : requirements) faces_[first[turnOf[r.label]]++] = r.face;
+  size_t begin = 0;
+  for (Turn& turn : turns_) begin += std::exchange(turn.facesEnd, begin);
+  faces_.resize(requirements.size());
+  for (const Requirement& r : requirements) faces_[turns_[turnOf[r.label]].facesEnd++] = r.face;
 }
 
 void LabelTurns::begin(long& budget) {
-  const auto& [label, how, firstFace] = turns_[next_];
-  const size_t end = next_ + 1 < turns_.size() ? turns_[next_ + 1].firstFace : faces_.size();
-  const auto own = std::span(faces_).subspan(firstFace, end - firstFace);
-  currentFaces_.assign(own.begin(), own.end());
+  const auto& [label, how, facesEnd] = turns_[next_];
+  const size_t begin = next_ > 0 ? turns_[next_ - 1].facesEnd : 0;
+  currentFaces_.assign(faces_.begin() + begin, faces_.begin() + facesEnd);
   switch (how) {
     case Turn::kStart:
       return spread_.start(label);

@@ -22,12 +22,12 @@ class LabelTurns {
   /// Gives up all turns.
   void clear();
   /// A turn to spread from the label's site.
-  void addStart(int label) { turns_.push_back({label, Turn::kStart, faces_.size()}); }
+  void addStart(int label) { turns_.push_back({label, Turn::kStart}); }
   /// A turn to spread on from where the label stopped.
-  void addResume(int label) { turns_.push_back({label, Turn::kResume, faces_.size()}); }
-  /// A turn of each label to spread on to its faces. Labels come in the order of their first faces,
-  /// so that the memory they touch is still in the cache.
-  void addRequired(std::span<const Requirement> requirements);
+  void addResume(int label) { turns_.push_back({label, Turn::kResume}); }
+  /// In place of all turns, one of each label to spread on to its faces. Labels come in the order
+  /// of their first faces, so that the memory they touch is still in the cache.
+  void setRequired(std::span<const Requirement> requirements);
 
   bool isEmpty() const { return turns_.empty(); }
   /// The share of turns that are over; 0 if there are none.
@@ -63,7 +63,7 @@ class LabelTurns {
   struct Turn {
     int label;
     enum { kStart, kResume, kRequire } how;
-    size_t firstFace;  ///< of its own in `faces_`
+    size_t facesEnd = 0;  ///< in `faces_`; its faces begin at the end of those of the turn before
   };
 
   void begin(long& budget);

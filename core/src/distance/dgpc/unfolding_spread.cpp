@@ -130,7 +130,7 @@ void UnfoldingSpread::takeRequired() {
   const double reach = *sweep_.reach();
   LabelState& state = labels_[running_];
   bool isMissing = false;
-  for (size_t i = 0; i < state.vertices.size(); ++i) {
+  for (size_t i = state.sweptCount; i < state.vertices.size(); ++i) {
     ReachedVertex& r = state.vertices[i];
     if (r.distance < kInfinity) continue;
     if (sweep_.distance(r.vertex) > reach) {
