@@ -113,7 +113,8 @@ class DistanceField {
   /// vertices are unit vectors; each is given in a face that the path runs through. Two points in
   /// succession have a face in common, in which the path between them is straight. One point if `p`
   /// is at the site; empty if the site does not reach it. With the exact metric the path is as long
-  /// as the distance (`lengthOf`). With DGPC the path follows from the distances at vertices, and
+  /// as the distance (`lengthOf`), up to rounding: a path that passes a vertex within 1e-12 of an
+  /// edge's length leads through it. With DGPC the path follows from the distances at vertices, and
   /// its length may differ from the distance; if it would be longer by more than a tenth, or if
   /// these distances lead nowhere, the path is the shortest one by the exact metric. O(vertices
   /// that the site has reached), then O(faces around the points of the path), or the time of

@@ -54,8 +54,9 @@ class LabelSpread {
   /// Whether the distances that a label finds depend on `EdgeBounds`: then a label has to start
   /// again when the edge bound of a vertex that it has reached changes.
   virtual bool dependsOnEdgeBounds() const = 0;
-  /// Candidates for the nearest label at a point that is no vertex, with their distances: each
-  /// label once, and all labels that tie for nearest are among them. `known` has those at vertices.
+  /// Candidates for the nearest label at a point that is no vertex, with the lengths of paths to
+  /// their sites. All labels that tie for nearest are among them, each with its distance; a label
+  /// may come several times, also with longer paths. `known` has the distances at vertices.
   /// Lowers the budget by the units that it takes, whatever is left.
   virtual std::vector<LabelledDistance> nearestAt(const SurfacePoint& p, const DistanceField& known,
                                                   long& budget) = 0;

@@ -16,8 +16,9 @@
 namespace gvd::exact {
 
 /// The exact metric: polyhedral distance by windows (Mitchell et al. 1987). Keeps distances at
-/// vertices. Distances at other points are found by a search from the point back to vertices and
-/// sites.
+/// vertices. At other points, a search from the point back to vertices and sites finds the nearest
+/// labels (`WindowSweep::search`); for the distance of another label, its windows spread once more
+/// (`PointDistances`).
 class WindowSpread final : public LabelSpread {
  public:
   WindowSpread(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds);
