@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,6 +25,7 @@
 #include "distance/nearest_bounds.h"
 #include "distance/reached_loop.h"
 #include "distance/reaching_labels.h"
+#include "distance/site_distances.h"
 #include "distance/site_set.h"
 #include "equality.h"
 #include "gvd/closest_point.h"
@@ -173,6 +176,38 @@ TEST(SlicedWork, ATurnOfManyRoundsIsInterrupted) {
   budget = 1000;
   EXPECT_TRUE(turns.step(budget, goOn));
   EXPECT_EQ(rounds, 100);
+}
+
+TEST(SlicedWork, SitesAreInsertedAndRemovedInSlices) {
+  constexpr int kSites = 200;
+  const TriangleMesh mesh = shapes::cube().mesh();
+  SiteDistances distances(mesh, Metric::kDgpc, sampleUniform(mesh, kSites, 1));
+  int most = 0;  // sites in one step
+  const auto finish = [&] {
+    for (bool isDone = false; !isDone;) {
+      const int before = distances.sites().count();
+      long budget = 1;
+      isDone = distances.step(budget);
+      most = std::max(most, std::abs(distances.sites().count() - before));
+    }
+  };
+  finish();
+  EXPECT_EQ(distances.sites().count(), kSites);
+  std::vector<SiteChange> removals;
+  for (int label = 0; label < kSites; ++label) removals.push_back({label, std::nullopt});
+  distances.change(removals);
+  finish();
+  EXPECT_EQ(distances.sites().count(), 0);
+  EXPECT_LE(most, 10);
+}
+
+/// Of a hundred thousand labels, a change lets few spread.
+TEST(SlicedWork, LabelsThatHaveReachedNothingNewAreGoneThroughInSlices) {
+  const KnownEverywhere spread;
+  ReachingLabels reaching(1);
+  int steps = 1;
+  for (long budget = 1; !reaching.collect(spread, 1000, budget); budget = 1) ++steps;
+  EXPECT_GT(steps, 100);
 }
 
 /// The last site of a large component is removed: no label is near any of its vertices.

@@ -5,6 +5,13 @@
 #include <numeric>
 
 namespace gvd {
+namespace {
+
+/// Vertices that, with the faces around them, take about as long to look at as one unit of the
+/// budget.
+constexpr long kVerticesPerUnit = 8;
+
+}  // namespace
 
 KnownLabels::KnownLabels(const TriangleMesh& mesh, const SiteSet& sites, NearestBounds& bounds,
                          LabelSpread& spread, const LabelChange& change)
@@ -52,17 +59,15 @@ bool KnownLabels::step(long& budget) {
       [&](SlicedLoop& loop) {
         return change_.startsAll ? allotLists(budget) : clearLists(loop, budget);
       },
-      [&] {
-        listed_ = atChanged_.sorted();
-        changedLabels_.insert(changedLabels_.end(), listed_.begin(), listed_.end());
-        makeSet(changedLabels_);
-      },
-      [&] { return listLabels(budget); },
+      [&] { listed_ = atChanged_.sorted(); }, [&] { return listLabels(budget); },
       forEach(changed, budget, kQuickRounds, [&](int i) { lists_.equalizeTies(changed[i]); }),
       // 4. Closure.
       [&] { return closure_.step(budget); },
+      [&](SlicedLoop& loop) { return change_.startsAll || noteExtended(loop, budget); },
       [&] {
-        noteExtended();
+        changedLabels_.insert(changedLabels_.end(), atChanged_.list().begin(),
+                              atChanged_.list().end());
+        makeSet(changedLabels_);
         progress_ = 1;
       });
 }
@@ -92,7 +97,7 @@ bool KnownLabels::allotLists(long& budget) {
 /// may go into the lists.
 bool KnownLabels::clearLists(SlicedLoop& loop, long& budget) {
   const std::vector<int>& changed = finding_.changedVertices().list();
-  return loop.run(changed.size(), budget, 8, [&](int i) { clearList(changed[i]); });
+  return loop.run(changed.size(), budget, kVerticesPerUnit, [&](int i) { clearList(changed[i]); });
 }
 
 void KnownLabels::clearList(int vertex) {
@@ -117,13 +122,12 @@ bool KnownLabels::listLabels(long& budget) {
 }
 
 /// Notes what the closure has changed.
-void KnownLabels::noteExtended() {
-  if (change_.startsAll) return;
-  for (const int v : closure_.extended()) {
-    mesh_.visitFaces(v, [&](int f) { changedFaces_.add(f); });
-    for (const LabelledDistance& d : lists_[v]) changedLabels_.push_back(d.label);
-  }
-  makeSet(changedLabels_);
+bool KnownLabels::noteExtended(SlicedLoop& loop, long& budget) {
+  const std::vector<int>& extended = closure_.extended();
+  return loop.run(extended.size(), budget, kVerticesPerUnit, [&](int i) {
+    mesh_.visitFaces(extended[i], [&](int f) { changedFaces_.add(f); });
+    for (const LabelledDistance& d : lists_[extended[i]]) atChanged_.add(d.label);
+  });
 }
 
 /// Whether a label owns part of a face around a vertex.

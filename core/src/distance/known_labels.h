@@ -71,7 +71,7 @@ class KnownLabels {
   bool clearLists(SlicedLoop& loop, long& budget);
   void clearList(int vertex);
   bool listLabels(long& budget);
-  void noteExtended();
+  bool noteExtended(SlicedLoop& loop, long& budget);
   bool ownsPartAround(int label, int vertex) const;
 
   const TriangleMesh& mesh_;
@@ -93,7 +93,7 @@ class KnownLabels {
   std::vector<int> changedLabels_;
   std::vector<int> roomAt_;  ///< per vertex, the number of labels that come to it
   IndexSet atChanged_{0};    ///< labels at changed vertices, before and after the change
-  std::vector<int> listed_;  ///< the same, sorted
+  std::vector<int> listed_;  ///< those that may go into the lists, ascending
 };
 
 }  // namespace gvd

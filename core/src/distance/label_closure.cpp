@@ -54,8 +54,9 @@ std::vector<int> LabelClosure::listRequired(int label, std::span<const int> face
 
 // --- What is required ----------------------------------------------------------------------------
 
-/// Returns the number of labels looked at, or 1.
+/// Returns how many quick rounds it took.
 long LabelClosure::closeFace(int f) {
+  constexpr long kRoundsPerLabel = 8;  // labels known at two corners are compared with others
   const std::array<int, 3>& corners = mesh_.face(f).vertices;
   const auto a = lists_[corners[0]], b = lists_[corners[1]], c = lists_[corners[2]];
   if ((a.size() > 1) + (b.size() > 1) + (c.size() > 1) < 2) return 1;
@@ -65,7 +66,7 @@ long LabelClosure::closeFace(int f) {
     const int i = at[2] ? at[1] ? 1 : 2 : 0;
     requireAcross(3 * f + i, label);
   });
-  return static_cast<long>(a.size() + b.size() + c.size());
+  return kRoundsPerLabel * static_cast<long>(a.size() + b.size() + c.size());
 }
 
 /// The same for one label, newly known at a vertex, in all faces around the vertex.

@@ -28,12 +28,15 @@ void OwnerFinding::addFacesOfSite(int label) {
 }
 
 bool OwnerFinding::step(long& budget) {
+  constexpr long kLabelsPerUnit = 16;  // of `findTies`
   return sequence_.run(
       [&] { return markFinal(change_.started, budget); },
       [&] { return markFinal(change_.resumed, budget); },
       [&] { return change_.startsAll ? affectAll(budget) : findAffected(budget); },
-      forEach(changedVertices_.list(), budget, kQuickRounds,
-              [&](int i) { findTies(changedVertices_.list()[i]); }),
+      [&](SlicedLoop& loop) {
+        return loop.runWeighted(changedVertices_.size(), budget, kLabelsPerUnit,
+                                [&](int i) { return findTies(changedVertices_.list()[i]); });
+      },
       forEach(affectedFaces_.list(), budget, kQuickRounds,
               [&](int i) { owners_.reset(affectedFaces_.list()[i], requirements_); }),
       forEach(ties_, budget, kQuickRounds, [&](int i) { addTie(ties_[i]); }));
@@ -121,8 +124,9 @@ bool OwnerFinding::dropDoubtful(long& budget) {
   return true;
 }
 
-/// Finds the labels that tie at a changed vertex among those that were known there before.
-void OwnerFinding::findTies(int v) {
+/// Finds the labels that tie at a changed vertex among those that were known there before. Returns
+/// the number of labels looked at, and 1 for the vertex.
+long OwnerFinding::findTies(int v) {
   for (size_t k = 0; k < lists_[v].size(); ++k) {
     const int label = lists_[v][k].label;
     if (!sites_.contains(label) || change_.hasStarted[label]) continue;
@@ -131,6 +135,7 @@ void OwnerFinding::findTies(int v) {
     const ReachedVertex& r = spread_.reached(label)[lists_.reachedIndices(v)[k]];
     if (bounds_.ties().isAtMost(r.distance, bounds_[v].distance)) noteTie(v, label);
   }
+  return 1 + static_cast<long>(lists_[v].size());
 }
 
 /// Makes a label that ties with the owner of a vertex an owner of the affected faces around it.

@@ -65,7 +65,7 @@ class OwnerFinding {
   void doubt(int vertex, int label);
   void doubtInterpolated(int vertex);
   bool dropDoubtful(long& budget);
-  void findTies(int vertex);
+  long findTies(int vertex);
   void addTie(const LabelAtVertex& tie);
 
   const TriangleMesh& mesh_;

@@ -21,15 +21,17 @@ class ReachingLabels {
   /// Adds what the labels below `labelCount` have reached since the last change, in slices; true
   /// when that is done.
   bool collect(const LabelSpread& spread, int labelCount, long& budget) {
-    constexpr long kVerticesPerUnit = 8;
+    constexpr long kVerticesPerUnit = 8, kLabelsPerUnit = 8;
     if (!lists_.addLists(vertexCount_, budget)) return false;
     collected_.resize(labelCount, 0);
     for (; next_ < labelCount; ++next_) {
+      if (budget <= 0) return false;
       const auto& reached = spread.reached(next_);
       size_t& i = collected_[next_];
       const size_t end = endOfSlice(i, reached.size(), budget, kVerticesPerUnit);
       for (; i < end; ++i) lists_.add(reached[i].vertex, next_);
       if (end < reached.size()) return false;
+      if (next_ % kLabelsPerUnit == 0) --budget;
     }
     next_ = 0;
     return true;

@@ -67,21 +67,24 @@ void SiteDistances::change(std::span<const SiteChange> changes) {
 }
 
 bool SiteDistances::step(long& budget) {
-  return sequence_.run([&] { return spread_->prepare(budget) && known_.prepare(budget); },
-                       [&] {
-                         return sites_.count() == 0 ||
-                                reaching_.collect(*spread_, sites_.labelCount(), budget);
-                       },
-                       // 1. Bounds, and which labels start or resume because of them.
-                       [&] { findLeaving(); }, [&] { return forget(budget); },
-                       [&] { removeSites(); }, [&] { return edgeBounds_.forget(budget); },
-                       [&] { insertSites(); }, [&] { return edgeBounds_.step(budget); },
-                       [&](SlicedLoop& loop) { return findOutdated(loop, budget); },
-                       [&] { return forget(budget); }, [&] { orderLabels(); },
-                       // 2. Spread.
-                       [&] { return lowering_.step(budget); },
-                       // 3. Known labels.
-                       [&] { return known_.step(budget); });
+  constexpr long kSitesPerUnit = 2;
+  return sequence_.run(
+      [&] { return spread_->prepare(budget) && known_.prepare(budget); },
+      [&] {
+        return sites_.count() == 0 || reaching_.collect(*spread_, sites_.labelCount(), budget);
+      },
+      // 1. Bounds, and which labels start or resume because of them.
+      [&] { findLeaving(); }, [&] { return forget(budget); },
+      forEach(forgotten_, budget, kSitesPerUnit, [&](int i) { removeSite(forgotten_[i]); }),
+      [&] { return edgeBounds_.forget(budget); },
+      forEach(changes_, budget, kSitesPerUnit, [&](int i) { insertSite(changes_[i]); }),
+      [&] { return edgeBounds_.step(budget); },
+      [&](SlicedLoop& loop) { return findOutdated(loop, budget); }, [&] { return forget(budget); },
+      [&] { orderLabels(); },
+      // 2. Spread.
+      [&] { return lowering_.step(budget); },
+      // 3. Known labels.
+      [&] { return known_.step(budget); });
 }
 
 /// Finds the labels that lose their sites.
@@ -126,21 +129,17 @@ void SiteDistances::forgetAt(int label, const ReachedVertex& r) {
   change_.resetVertices.push_back(r.vertex);
 }
 
-void SiteDistances::removeSites() {
-  for (const int label : forgotten_) {
-    const SurfacePoint site = sites_[label];
-    sites_.remove(label);
-    edgeBounds_.remove(label, site);
-  }
+void SiteDistances::removeSite(int label) {
+  const SurfacePoint site = sites_[label];
+  sites_.remove(label);
+  edgeBounds_.remove(label, site);
 }
 
-void SiteDistances::insertSites() {
-  for (const SiteChange& c : changes_) {
-    if (!c.site) continue;
-    sites_.insert(c.label, onMesh(mesh_, *c.site));
-    edgeBounds_.insert(c.label);
-    change_.started.push_back(c.label);
-  }
+void SiteDistances::insertSite(const SiteChange& c) {
+  if (!c.site) return;
+  sites_.insert(c.label, onMesh(mesh_, *c.site));
+  edgeBounds_.insert(c.label);
+  change_.started.push_back(c.label);
 }
 
 /// Finds the labels that have reached a vertex whose edge bound has changed, if their distances

@@ -83,8 +83,8 @@ class SiteDistances final : public DistanceField {
   void startForgetting(std::vector<int> labels);
   bool forget(long& budget);
   void forgetAt(int label, const ReachedVertex& r);
-  void removeSites();
-  void insertSites();
+  void removeSite(int label);
+  void insertSite(const SiteChange& change);
   bool findOutdated(SlicedLoop& loop, long& budget);
   void orderLabels();
   bool isKnownAround(int label, const SurfacePoint& p) const;
