@@ -9,6 +9,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/hashing.h"
 #include "base/index_set.h"
 
 namespace gvd {
@@ -19,15 +20,16 @@ class PlaceIndex {
  public:
   /// Makes room, in slices; true when it is there.
   bool prepare(size_t faceCount, long& budget) {
-    return fillInSlices(lastIn_, faceCount, -1, budget);
+    return fillInSlices(last_, faceCount + kListsOfFace, -1, budget);
   }
 
   int add(const SurfacePoint& place) {
-    for (int i = lastIn_[place.face]; i >= 0; i = before_[i])
-      if (places_[i].bary == place.bary) return i;
+    int& last = last_[place.face + hashBelow(kListsOfFace, place.bary)];
+    for (int i = last; i >= 0; i = before_[i])
+      if (places_[i].face == place.face && places_[i].bary == place.bary) return i;
     const int added = static_cast<int>(places_.size());
     places_.push_back(place);
-    before_.push_back(std::exchange(lastIn_[place.face], added));
+    before_.push_back(std::exchange(last, added));
     return added;
   }
 
@@ -40,9 +42,13 @@ class PlaceIndex {
   std::vector<SurfacePoint> take() { return std::move(places_); }
 
  private:
+  /// The lists that the places of one face are spread over, because there may be thousands. Near
+  /// faces have most of their lists in common, which stay in the cache.
+  static constexpr int kListsOfFace = 1024;
+
   std::vector<SurfacePoint> places_;
-  std::vector<int> lastIn_;  ///< per face, -1: none
-  std::vector<int> before_;  ///< the place in the same face that was added before, or -1
+  std::vector<int> last_;    ///< of each list, -1: none
+  std::vector<int> before_;  ///< the place before it in its list, or -1
 };
 
 void setPlaces(const Diagram& part, std::span<const int> points, std::vector<SurfacePoint>& to) {
