@@ -45,9 +45,18 @@ class IndexSet {
   int size() const { return static_cast<int>(list_.size()); }
   /// The indices in the order in which they were added.
   const std::vector<int>& list() const { return list_; }
+  /// In time proportional to the limit at most, because sorting a large share takes longer.
   std::vector<int> sorted() const {
-    std::vector<int> result = list_;
-    std::sort(result.begin(), result.end());
+    constexpr std::size_t kLargeShare = 16;  // a sixteenth
+    if (list_.size() < isIn_.size() / kLargeShare) {
+      std::vector<int> result = list_;
+      std::sort(result.begin(), result.end());
+      return result;
+    }
+    std::vector<int> result;
+    result.reserve(list_.size());
+    for (std::size_t i = 0; i < isIn_.size(); ++i)
+      if (isIn_[i]) result.push_back(static_cast<int>(i));
     return result;
   }
 

@@ -177,7 +177,7 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
   /// a face with merged points.
   void takeParts(const Diagram& traced, std::span<const int> merged) {
     const TriangleMesh& mesh = diagram_.mesh_;
-    change_ = {tracedLabels_, diagram_.distances_->changedFaces(), {}};
+    change_ = {tracedLabels_, diagram_.distances_->changedFaces().sorted(), {}};
     for (const int f : merged)
       for (int h = 3 * f; h < 3 * f + 3; ++h)
         mesh.visitFaces(mesh.tail(h), [&](int around) { change_.faces.push_back(around); });

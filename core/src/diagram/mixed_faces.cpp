@@ -5,7 +5,7 @@ namespace gvd {
 
 bool MixedFaces::update(const IndexSet& labels, long& budget) {
   constexpr long kFacesPerUnit = 16;
-  const std::vector<int>& changed = distances_.changedFaces();
+  const std::vector<int>& changed = distances_.changedFaces().list();
   if (!sequence_.run(
           [&] { forgetChanged(labels); },
           forEach(changed, budget, kFacesPerUnit, [&](int i) { note(changed[i], labels); })))
@@ -17,10 +17,9 @@ bool MixedFaces::update(const IndexSet& labels, long& budget) {
 /// Removes the changed faces from the lists of the changed labels.
 void MixedFaces::forgetChanged(const IndexSet& labels) {
   ofLabel_.resize(distances_.sites().labelCount());
-  faces_.clear();
-  for (const int f : distances_.changedFaces()) faces_.add(f);
+  const IndexSet& changed = distances_.changedFaces();
   for (const int label : labels.list())
-    std::erase_if(ofLabel_[label], [&](int f) { return faces_.contains(f); });
+    std::erase_if(ofLabel_[label], [&](int f) { return changed.contains(f); });
 }
 
 /// Adds a face to the lists of those labels that meet others at one of its corners.

@@ -33,8 +33,7 @@ class MixedFaces {
   const SiteDistances& distances_;
   std::vector<std::vector<int>> ofLabel_;
 
-  // Working memory.
-  IndexSet faces_;
+  IndexSet faces_;  ///< working memory of `of`
   SlicedSequence sequence_;
 };
 

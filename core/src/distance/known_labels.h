@@ -63,7 +63,7 @@ class KnownLabels {
   double progress() const { return progress_; }
 
   /// See `SiteDistances`.
-  const std::vector<int>& changedFaces() const { return changedFaces_.list(); }
+  const IndexSet& changedFaces() const { return changedFaces_; }
   const std::vector<int>& changedLabels() const { return changedLabels_; }
 
  private:

@@ -59,7 +59,7 @@ class SiteDistances final : public DistanceField {
 
   /// The faces and labels that the last change may have altered. Elsewhere the same labels are
   /// known at the same vertices, with the same distances.
-  const std::vector<int>& changedFaces() const { return known_.changedFaces(); }
+  const IndexSet& changedFaces() const { return known_.changedFaces(); }
   const std::vector<int>& changedLabels() const { return known_.changedLabels(); }
 
   const SiteSet& sites() const { return sites_; }
