@@ -120,8 +120,13 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
         [&] { labels_ = IndexSet(labelCount(), diagram_.distances_->changedLabels()); },
         [&] { return diagram_.mixed_.update(labels_, budget); },
         [&] { return tracesAll_ || traceParts(budget); },
+        forEach(change_.faces, budget, 8, [&](int i) { addFaceLabel(change_.faces[i]); }),
         [&] { return !tracesAll_ || traceAll(budget); },
-        [&] { return diagram_.pieces_.replace(change_, budget); }, [&] { setAreas(); },
+        [&] { return diagram_.pieces_.replace(change_, budget); },
+        [&](SlicedLoop& loop) {
+          return loop.runWeighted(change_.labels.size(), budget, kQuickRounds,
+                                  [&](int i) { return setArea(i); });
+        },
         [&] { diagram_.isChanging_ = false; });
   }
   double share() const override {
@@ -161,7 +166,7 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
       diagram_.mergedFaces_.insert(diagram_.mergedFaces_.end(), traced.mergedFaces.begin(),
                                    traced.mergedFaces.end());
       makeSet(diagram_.mergedFaces_);
-      takeParts(traced.diagram, merged);
+      takeParts(std::move(traced.diagram), merged);
       return true;
     }
   }
@@ -174,8 +179,8 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
   }
 
   /// Puts into the change the traced labels, and the faces that have changed or share a corner with
-  /// a face with merged points.
-  void takeParts(const Diagram& traced, std::span<const int> merged) {
+  /// a face with merged points, but not yet the labels of these faces.
+  void takeParts(Diagram traced, std::span<const int> merged) {
     const TriangleMesh& mesh = diagram_.mesh_;
     change_ = {tracedLabels_, diagram_.distances_->changedFaces().sorted(), {}};
     for (const int f : merged)
@@ -183,13 +188,17 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
         mesh.visitFaces(mesh.tail(h), [&](int around) { change_.faces.push_back(around); });
     makeSet(change_.faces);
     change_.part = extract(traced, diagram_.marks(tracedLabels_), change_.faces);
-    for (const int f : change_.faces) {
-      const int index = diagram_.tracer_.faceIndex(f);
-      change_.part.faceLabel.push_back(
-          index >= 0 ? traced.faceLabel[index]
-                     : nearestOf(diagram_.distances_->at(mesh.tail(3 * f))).label);
-    }
-    areaInMixed_ = traced.regionArea;
+    change_.part.faceLabel.reserve(change_.faces.size());
+    tracedFaceLabel_ = std::move(traced.faceLabel);
+    tracedArea_ = std::move(traced.regionArea);
+  }
+
+  /// Where labels do not meet, the nearest one at a corner owns all of a face.
+  void addFaceLabel(int face) {
+    const int index = diagram_.tracer_.faceIndex(face);
+    change_.part.faceLabel.push_back(
+        index >= 0 ? tracedFaceLabel_[index]
+                   : nearestOf(diagram_.distances_->at(diagram_.mesh_.tail(3 * face))).label);
   }
 
   bool traceAll(long& budget) {
@@ -206,19 +215,21 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
     return true;
   }
 
-  void setAreas() {
+  /// Returns how many quick rounds it took.
+  long setArea(int i) {
+    const int label = change_.labels[i];
     std::vector<double>& areas = change_.part.regionArea;
-    if (!tracesAll_)
-      for (const int label : change_.labels) areas.push_back(areaOf(label));
-    for (size_t i = 0; i < areas.size(); ++i) diagram_.pieces_.setArea(change_.labels[i], areas[i]);
-  }
-
-  /// The area in the traced faces plus the region triangles outside of them.
-  double areaOf(int label) {
-    double area = areaInMixed_[label];
-    for (const int f : diagram_.pieces_.regionTriangles(label))
-      if (diagram_.tracer_.faceIndex(f) < 0) area += diagram_.mesh_.faceArea(f);
-    return area;
+    long rounds = 1;
+    if (!tracesAll_) {
+      const std::vector<int>& triangles = diagram_.pieces_.regionTriangles(label);
+      double area = tracedArea_[label];
+      for (const int f : triangles)  // the others have been traced
+        if (diagram_.tracer_.faceIndex(f) < 0) area += diagram_.mesh_.faceArea(f);
+      areas.push_back(area);
+      rounds += static_cast<long>(triangles.size());
+    }
+    diagram_.pieces_.setArea(label, areas[i]);
+    return rounds;
   }
 
   Implementation& diagram_;
@@ -227,7 +238,8 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
   IndexSet labels_{0};  ///< labels to trace
   std::unique_ptr<SlicedWork<TracedDiagram>> tracing_;
   std::vector<int> tracedLabels_, tracedFaces_;  ///< ascending
-  std::vector<double> areaInMixed_;              ///< per label, in the traced faces
+  std::vector<int> tracedFaceLabel_;             ///< of each
+  std::vector<double> tracedArea_;               ///< per label, in the traced faces
   DiagramChange change_;
 };
 
