@@ -262,11 +262,19 @@ class WorstFirstSampling final : public SlicedWork<std::vector<SurfacePoint>> {
       : mesh_(mesh),
         count_(count),
         worst_(worst),
-        points_(sampleUniform(mesh, std::min(count, 1), seed)) {}
+        sampling_(startUniform(mesh, std::min(count, 1), seed)) {}
 
   bool advance(long budget) override {
-    if (isComplete()) return true;
-    return sequence_.run(
+    return sequence_.run([&] { return sampling_->step(budget); },
+                         [&] { points_ = sampling_->take(); },
+                         [&] { return isComplete() || addOthers(budget); });
+  }
+  double share() const override { return static_cast<double>(points_.size()) / count_; }
+  std::vector<SurfacePoint> result() override { return std::move(points_); }
+
+ private:
+  bool addOthers(long budget) {
+    return adding_.run(
         [&] {
           if (!making_) making_ = DynamicDiagram::start(mesh_, points_);
           return making_->step(budget);
@@ -286,10 +294,7 @@ class WorstFirstSampling final : public SlicedWork<std::vector<SurfacePoint>> {
         },
         [&] { return insertOthers(budget); });
   }
-  double share() const override { return static_cast<double>(points_.size() - 1) / count_; }
-  std::vector<SurfacePoint> result() override { return std::move(points_); }
 
- private:
   /// Adds the place for the next point. The last one need not be inserted.
   void addPoint() {
     points_.push_back(regions_->point());
@@ -314,8 +319,9 @@ class WorstFirstSampling final : public SlicedWork<std::vector<SurfacePoint>> {
   const TriangleMesh& mesh_;
   const int count_;
   const WorstRegion worst_;
+  SlicedSequence sequence_, adding_, round_;
+  std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> sampling_;  ///< of the first point
   std::vector<SurfacePoint> points_;
-  SlicedSequence sequence_, round_;
   std::unique_ptr<SlicedWork<DynamicDiagram>> making_;
   std::optional<DynamicDiagram> diagram_;
   Diagram first_;  ///< of the first point
