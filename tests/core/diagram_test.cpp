@@ -359,7 +359,6 @@ TEST(Diagram, HasNoPointThatNothingUses) {
   EXPECT_TRUE(isConsistent(mesh, trace(mesh, sites).diagram));
 }
 
-/// Each corner knows thousands of labels, and few of them own part of the diagonal.
 /// On a spike, all segments of a Voronoi point near the apex lead to the merged point there.
 TEST(Diagram, LeavesOutVoronoiPointsThatNoRegionReaches) {
   shapes::Shape spike;
@@ -377,6 +376,7 @@ TEST(Diagram, LeavesOutVoronoiPointsThatNoRegionReaches) {
   EXPECT_EQ(d.voronoiPoints.size(), 5u);
 }
 
+/// Each corner knows thousands of labels, and few of them own part of the diagonal.
 TEST(Diagram, DividesTwoFacesAmongThousandsOfSites) {
   const auto mesh = shapes::grid(1, 1).mesh();
   const auto sites = sampleUniform(mesh, 3000, 1);
