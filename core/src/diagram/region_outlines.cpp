@@ -110,23 +110,21 @@ bool RegionOutlines::traceUnbrokenBoundaries(long& budget) {
 }
 
 void RegionOutlines::traceUnbroken(int start, int owner, long& budget) {
-  const auto forHalfedges = [&](auto body) {
-    int h = start;
-    do {
-      body(h);
-      h = mesh_.outgoing(mesh_.tip(h));
-    } while (h != start);
-  };
+  int h = start;
   long length = 0;
   bool isBroken = false;
-  forHalfedges([&](int h) {
+  do {
     ++length;
-    isBroken |= boundaryPoints_.firstOn(h) >= 0;
-  });
+    isBroken = boundaryPoints_.firstOn(h) >= 0;
+    h = mesh_.outgoing(mesh_.tip(h));
+  } while (!isBroken && h != start);
   budget -= length / kQuickRounds;
   if (isBroken) return;
   const auto walk = [&](auto visit) {
-    forHalfedges([&](int h) { visit(vertexPoint(mesh_.tail(h)), TriangleMesh::faceOf(h), true); });
+    do {
+      visit(vertexPoint(mesh_.tail(h)), TriangleMesh::faceOf(h), true);
+      h = mesh_.outgoing(mesh_.tip(h));
+    } while (h != start);
   };
   addRing(owner, walk, budget);
 }
