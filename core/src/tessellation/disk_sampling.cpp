@@ -5,6 +5,7 @@
 //
 // `samplePoissonDisk` and `samplePoissonDiskCount`.
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -59,8 +60,11 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
         });
   }
   double share() const override {
-    return count_.value_or(0) > 0 ? static_cast<double>(points_.size()) / *count_
-                                  : static_cast<double>(nextVertex_) / mesh_.vertexCount();
+    const auto points = static_cast<double>(points_.size());
+    if (count_) return *count_ > 0 ? points / *count_ : 0;
+    if (covering_) return (1 + covering_->progress()) / 2;
+    constexpr double kDensity = 0.7;  // points per squared radius, when hardly any more fit
+    return std::min(points * radius_ * radius_ / (kDensity * mesh_.area()), 1.0) / 2;
   }
   PoissonDisk result() override { return {std::move(points_), radius_}; }
 

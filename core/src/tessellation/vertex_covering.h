@@ -21,6 +21,8 @@ class VertexCovering {
   VertexCovering(const TriangleMesh& mesh, double radius, std::size_t most,
                  std::vector<SurfacePoint>& points);
   bool step(long& budget);
+  /// The share done of the distances of all points; begins again with each point that is added.
+  double progress() const { return distances_.progress(); }
 
  private:
   void offer(int vertex);
