@@ -359,6 +359,31 @@ TEST(Diagram, HasNoPointThatNothingUses) {
   EXPECT_TRUE(isConsistent(mesh, trace(mesh, sites).diagram));
 }
 
+/// A vertex far away makes faces so thin that a corner between three regions is on the side of its
+/// face but for rounding. The face beyond has put a point there, not the same to the last bit.
+TEST(Diagram, GivesEachPlaceOnce) {
+  shapes::Shape shape;
+  for (const Eigen::Vector3d& p : {Eigen::Vector3d{0, 1, 1e30},
+                                   {0, 0, 1},
+                                   {1, 0, 0},
+                                   {0, 0, 0},
+                                   {1, 0, 1},
+                                   {0, 1, 0},
+                                   {0, 0.19547346429421841, 0.8683120471038891}})
+    shape.addVertex(p);
+  shape.triangles = {0, 1, 2, 0, 2, 3, 3, 2, 4, 2, 5, 6, 2, 6, 4};
+  const TriangleMesh mesh = shape.mesh();
+  const std::vector<SurfacePoint> sites = {
+      {3, {0.6, 0.4, 0}}, {0, {0, 0.5, 0.5}}, {1, {0, 0.5, 0.5}}};
+  const Diagram diagram = checks::trace(mesh, sites).diagram;
+  for (size_t i = 0; i < diagram.points.size(); ++i)
+    for (size_t j = 0; j < i; ++j) {
+      const SurfacePoint& p = diagram.points[i];
+      const auto other = pointInFace(mesh, diagram.points[j], p.face);
+      EXPECT_FALSE(other && other->bary == p.bary) << j << " and " << i;
+    }
+}
+
 /// On a spike, all segments of a Voronoi point near the apex lead to the merged point there.
 TEST(Diagram, LeavesOutVoronoiPointsThatNoRegionReaches) {
   shapes::Shape spike;

@@ -69,7 +69,7 @@ std::span<const ElementPoints::PlacedVertex> ElementPoints::of(int element,
       if (!isFace) placed.bary = complex_.faceBary(element, placed.bary);
       placed.point = make(element, envelope, v, placed.bary);
     }
-  if (hasInnerPoint) tellApartInnerPoints();
+  if (hasInnerPoint) tellApartInnerPoints(complex_.face(element));
   return placed_;
 }
 
@@ -88,20 +88,24 @@ bool ElementPoints::isNearCorner(int element, const Eigen::Vector3d& bary) const
 
 /// Where slivers meet, an inner point may get the same place as another point that no segment joins
 /// it to. The two are not merged, so the inner point is moved by one rounding step, or several, to
-/// have a place of its own.
-void ElementPoints::tellApartInnerPoints() {
+/// have a place of its own. If a neighbour face made a point on the common side, that has two
+/// places here: rounded as in this face and, in the graph, as in the other one.
+void ElementPoints::tellApartInnerPoints(int face) {
+  places_.clear();
+  for (const PlacedVertex& placed : placed_) {
+    if (placed.point < 0) continue;
+    places_.push_back(placed.bary);
+    const Eigen::Vector3d inGraph = baryInFace(mesh_, graph_.places[placed.point], face);
+    if (inGraph != placed.bary) places_.push_back(inGraph);
+  }
   for (PlacedVertex& inner : placed_) {
     if (!inner.isInside) continue;
-    const auto isShared = [&] {
-      return std::any_of(placed_.begin(), placed_.end(), [&](const PlacedVertex& other) {
-        return other.point >= 0 && other.point != inner.point && other.bary == inner.bary;
-      });
-    };
-    while (isShared()) {
+    while (std::count(places_.begin(), places_.end(), inner.bary) > 1) {
+      Eigen::Vector3d& place = *std::find(places_.begin(), places_.end(), inner.bary);
       Eigen::Index largest;
-      inner.bary.maxCoeff(&largest);
-      inner.bary[largest] = std::nextafter(inner.bary[largest], 0.0);
-      graph_.places[inner.point].bary = inner.bary;
+      place.maxCoeff(&largest);
+      place[largest] = std::nextafter(place[largest], 0.0);
+      inner.bary = graph_.places[inner.point].bary = place;
     }
   }
 }

@@ -43,7 +43,7 @@ class ElementPoints {
                  const Eigen::Vector3d& bary);
   void mergeOnSide(int element, int side, int point, int others, const Eigen::Vector3d& bary);
   bool isNearCorner(int element, const Eigen::Vector3d& bary) const;
-  void tellApartInnerPoints();
+  void tellApartInnerPoints(int face);
   int sideOf(int element, int side) const;
 
   const TriangleMesh& mesh_;
@@ -55,7 +55,9 @@ class ElementPoints {
   /// The first point in the list of each side (`Point::nextOnSide`), by the lower of the side's two
   /// halfedges; -1 for none.
   std::vector<int> firstOnSide_;
-  std::vector<PlacedVertex> placed_;  ///< of the current element
+  // Of the current element.
+  std::vector<PlacedVertex> placed_;
+  std::vector<Eigen::Vector3d> places_;  ///< that have a point
 };
 
 }  // namespace gvd
