@@ -398,6 +398,21 @@ test('bytes in shared memory are read, of which browsers decode no text', async 
   }
 });
 
+/** A small zip with thousands of such buffers was unpacked for each of them. */
+test('a file of several buffers is read once', async () => {
+  const { json, buffer } = gltf(octahedron(), { uri: 'shape.bin' });
+  const [own] = json.buffers;
+  json.buffers.push(own, { ...own, uri: './shape.bin' }, { ...own, uri: 'in/../shape.bin' });
+  let read = 0;
+  const arrayBuffer = async () => {
+    ++read;
+    return Uint8Array.from(buffer).buffer;
+  };
+  const files = { 'shape.gltf': bytesOf(JSON.stringify(json)), 'shape.bin': { arrayBuffer } };
+  assert.equal((await gvd.mesh(files)).info.faces, 8);
+  assert.equal(read, 1);
+});
+
 test('a zip that is broken, or a bomb, is refused', async () => {
   const zip = zipSync({ 'a.obj': meshObj(octahedron()) });
   const stored = zipSync({ 'a.obj': [meshObj(octahedron()), { level: 0 }] });

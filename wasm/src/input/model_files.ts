@@ -72,14 +72,13 @@ export class FileSet {
   }
 
   /**
-   * The file that a model means by a URI, if it is there. A model may not reach outside its folder.
+   * The path of the file that a model means by a URI, if it is there. A model may not reach outside
+   * its folder.
    */
-  async resource(model: string, uri: string): Promise<Uint8Array | undefined> {
-    if (this.#files.has(uri)) return this.read(uri);
+  resource(model: string, uri: string): string | undefined {
+    if (this.#files.has(uri)) return uri;
     const place = placeOf(model, uri);
-    if (place === undefined) return undefined;
-    const path = this.#paths.get(place) ?? this.#fileNamed(place);
-    return path === undefined ? undefined : this.read(path);
+    return place === undefined ? undefined : (this.#paths.get(place) ?? this.#fileNamed(place));
   }
 
   #shown(): string[] {

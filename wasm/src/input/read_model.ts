@@ -92,7 +92,16 @@ async function modelAmong(
   const bytes = await set.read(file);
   const format = formatOf(bytes, file);
   if (format !== 'zip' && wanted !== undefined && file !== wanted) throw set.without(wanted);
-  return { file, format, bytes, resource: (uri) => set.resource(file, uri) };
+  // Each is read once, and unpacked once: a glTF may have thousands of buffers in one file.
+  const contents = new Map<string, Promise<Uint8Array>>();
+  const resource = async (uri: string) => {
+    const path = set.resource(file, uri);
+    if (path === undefined) return undefined;
+    const content = contents.get(path) ?? set.read(path);
+    contents.set(path, content);
+    return content;
+  };
+  return { file, format, bytes, resource };
 }
 
 export async function readModel(
