@@ -55,7 +55,8 @@ struct CvtIteration {
 /// The energy never rises by more than rounding: a step that does not lower it is shortened, and if
 /// no length helps, the tessellation is done. The energy is integrated over the regions as traced,
 /// the cells of mixed faces included; components without a site do not count. Where faces are about
-/// as long as regions, the energy is too low by up to 40 %: `subdivide` such a mesh first.
+/// as long as regions, the energy may be less than half of the true one: `subdivide` such a mesh
+/// first.
 ///
 /// Two kinds of sites have no gradient, and are moved in other ways unless they are fixed. A site
 /// without region (it coincides with another one, or ρ is zero around it) moves to a random point,

@@ -151,9 +151,10 @@ struct DiagramAccuracy {
   double maxEdge;
 };
 
-/// Compares a diagram with its distances at `samples` points. O(F), then a query of the distances
-/// per point. Throws `Error(kInvalidArgument)` if `samples` is not positive, the distances are
-/// those of another mesh, or the diagram has another number of faces.
+/// Compares a diagram with its distances at `samples` points. O(F), then `DistanceField::nearest`
+/// per point, which takes long in fans of thousands of long triangles. Throws
+/// `Error(kInvalidArgument)` if `samples` is not positive, the distances are those of another mesh,
+/// or the diagram has another number of faces.
 DiagramAccuracy accuracy(const TriangleMesh& mesh, const DistanceField& distances,
                          const Diagram& diagram, int samples = 1000);
 

@@ -18,6 +18,8 @@
 namespace gvd {
 
 /// One region of a partition, as a patch of triangles. Lengths and areas are in the mesh's units.
+/// Areas are those of the intrinsic surface, lengths those in space, between the points' positions:
+/// where the mesh was mollified, a border across a flat triangle is longer on the surface.
 ///
 /// A patch is cut apart where its region touches itself in a single point, which makes it a surface
 /// with boundary and does not change its inside. The counts below are those of that surface;
