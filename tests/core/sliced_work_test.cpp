@@ -279,6 +279,25 @@ TEST(SlicedWork, NoStepGoesThroughTheWholeMesh) {
   EXPECT_EQ(all.list(), all.sorted());
 }
 
+TEST(SlicedWork, TheManyPointsOfOneLabelAreGoneThroughInSlices) {
+  const TriangleMesh mesh = shapes::grid(100, 100).mesh();
+  const auto field = finished(propagate(mesh, sampleUniform(mesh, 1, 1), Metric::kExact));
+  const auto stepsFor = [&](int count) {
+    std::vector<LabelledPoint> points(count);
+    for (int i = 0; i < count; ++i) {
+      const double s = (i + 1.0) / (count + 1);
+      points[i] = {0, {0, {s, (1 - s) / 2, (1 - s) / 2}}};
+    }
+    const auto work = field->startDistancesAt(points);
+    int steps = 1;
+    while (!work->step(1)) ++steps;
+    return steps;
+  };
+  // They are sorted out, compared with the site, spread to, taken as required and kept.
+  const int count = 10000;
+  EXPECT_GT(stepsFor(count) - stepsFor(1), count);
+}
+
 /// The diagram of each round was joined in a single step.
 TEST(SlicedWork, ARepairJoinsItsDiagramInSteps) {
   const TriangleMesh mesh = shapes::grid(100, 100).mesh();

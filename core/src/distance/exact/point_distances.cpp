@@ -86,14 +86,31 @@ bool PointDistances::spread(long& budget) {
   if (!open_.empty() && !sweep_)
     sweep_ = spare_ ? std::move(spare_) : std::make_unique<WindowSweep>(mesh_, sites_, bounds_);
   if (sweep_ && !sweep_->prepare(budget)) return false;
-  while (doneCount_ < open_.size()) {
-    if (!turn_.run([&] { startLabel(); }, [&] { return sweep_->step(budget); },
-                   [&] { requirePoints(); }, [&] { return sweep_->step(budget); },
-                   [&] { finishLabel(); }))
-      return false;
+  for (; doneCount_ < open_.size(); ++label_) {
+    if (!spreadOne(budget)) return false;
     turn_ = {};
   }
   return true;
+}
+
+/// Spreads the current label to its open points, if it has any.
+bool PointDistances::spreadOne(long& budget) {
+  const std::span<const int> open = byLabel_.items(label_);
+  if (open.empty()) return true;
+  const auto forPoints = [&](auto body) {
+    return
+        [&, body](SlicedLoop& loop) { return loop.run(open.size(), budget, kPointsPerUnit, body); };
+  };
+  return turn_.run(
+      [&] {
+        state_ = {};
+        required_.clear();
+      },
+      forPoints([&](int i) { addRequired(open[i]); }),
+      [&] { sweep_->start(label_, state_, required_); }, [&] { return sweep_->step(budget); },
+      forPoints([&](int i) { required_[i].distance = sweep_->distanceAtPoint(i); }),
+      [&] { sweep_->require(label_, state_, required_); }, [&] { return sweep_->step(budget); },
+      forPoints([&](int i) { keep(open[i], sweep_->distanceAtPoint(i)); }));
 }
 
 double PointDistances::share() const {
@@ -101,33 +118,15 @@ double PointDistances::share() const {
   return static_cast<double>(doneCount_) / static_cast<double>(open_.size());
 }
 
-/// Starts with the next label that has open points.
-void PointDistances::startLabel() {
-  while (byLabel_.items(label_).empty()) ++label_;
-  state_ = {};
-  required_.clear();
-  for (const int i : byLabel_.items(label_)) {
-    const SurfacePoint& p = points_[i].point;
-    required_.push_back({p, lengthBetween(mesh_, p, sites_[label_]), nearestAtLeast(p)});
-  }
-  sweep_->start(label_, state_, required_);
+void PointDistances::addRequired(int open) {
+  const SurfacePoint& p = points_[open].point;
+  required_.push_back({p, lengthBetween(mesh_, p, sites_[label_]), nearestAtLeast(p)});
 }
 
-void PointDistances::requirePoints() {
-  for (size_t i = 0; i < required_.size(); ++i)
-    required_[i].distance = sweep_->distanceAtPoint(static_cast<int>(i));
-  sweep_->require(label_, state_, required_);
-}
-
-void PointDistances::finishLabel() {
-  int point = 0;
-  for (const int i : byLabel_.items(label_)) {
-    const double distance = sweep_->distanceAtPoint(point++);
-    distances_[open_[i]] = distance;
-    found_.add(points_[i], distance);
-  }
-  doneCount_ += point;
-  ++label_;
+void PointDistances::keep(int open, double distance) {
+  distances_[open_[open]] = distance;
+  found_.add(points_[open], distance);
+  ++doneCount_;
 }
 
 /// No label is nearer to a point than this, by the distances at the corners of its face.

@@ -57,9 +57,9 @@ class PointDistances final : public SlicedWork<std::vector<double>> {
  private:
   void sortOut(int index);
   bool spread(long& budget);
-  void startLabel();
-  void requirePoints();
-  void finishLabel();
+  bool spreadOne(long& budget);
+  void addRequired(int open);
+  void keep(int open, double distance);
   double nearestAtLeast(const SurfacePoint& p) const;
 
   const TriangleMesh& mesh_;
@@ -76,7 +76,8 @@ class PointDistances final : public SlicedWork<std::vector<double>> {
   Grouping byLabel_;       ///< of open points in `points_`, by label
   size_t doneCount_ = 0;   ///< of these
 
-  int label_ = 0;  ///< the current one
+  // The current label, and what it is required at: all of its open points.
+  int label_ = 0;
   SlicedSequence turn_;
   LabelState state_;
   std::vector<RequiredPoint> required_;
