@@ -84,10 +84,11 @@ class LabelLists {
   }
   /// Also once labels were added since.
   void equalizeTies(int vertex) {
-    for (size_t i = 0; isEqualized_[vertex] && i < distances_[vertex].size(); ++i) {
-      LabelledDistance& d = distances_[vertex][i];
-      d.distance = listed(spread_.reached(d.label)[indices_[vertex][i]]);
-    }
+    if (isEqualized_[vertex])
+      for (size_t i = 0; i < distances_[vertex].size(); ++i) {
+        LabelledDistance& d = distances_[vertex][i];
+        d.distance = listed(spread_.reached(d.label)[indices_[vertex][i]]);
+      }
     isEqualized_[vertex] = gvd::equalizeTies(distances_[vertex], bounds_.ties()) ? 1 : 0;
   }
 
