@@ -8,21 +8,21 @@
 
 namespace gvd {
 
-/// The merged points of a graph: a union-find structure over point numbers (Tarjan 1975). Allocates
-/// only up to the last merged point, because there are usually few or none.
-class PointMerging {
+/// Disjoint sets of numbers, such as points that are merged (union-find, Tarjan 1975). Each number
+/// is alone at first. Allocates only up to the last united one: mostly there are few or none.
+class DisjointSets {
  public:
-  /// The representative of all points merged with `point`.
-  int root(int point) {
-    if (point >= limit()) return point;
-    while (parent_[point] != point) point = parent_[point] = parent_[parent_[point]];
-    return point;
+  /// The representative of the set that a number is in.
+  int root(int i) {
+    if (i >= limit()) return i;
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
   }
 
-  /// Merges the root `b` and its members into the root `a`.
+  /// Unites the sets of two roots; `a` becomes their root.
   void unite(int a, int b) {
     if (const int last = std::max(a, b), first = limit(); first <= last) {
-      isMerged_.resize(last + 1);
+      hasOthers_.resize(last + 1);
       for (std::vector<int>* const list : {&parent_, &nextMember_}) {
         list->resize(last + 1);
         std::iota(list->begin() + first, list->end(), first);
@@ -30,31 +30,31 @@ class PointMerging {
     }
     parent_[b] = a;
     std::swap(nextMember_[a], nextMember_[b]);
-    isMerged_[a] = true;
+    hasOthers_[a] = true;
   }
 
-  /// Whether `isOne` is true for any member of a root.
+  /// Whether `isOne` is true for any member of a root's set.
   template <class Predicate>
   bool anyMember(int root, Predicate isOne) const {
-    int point = root;
+    int i = root;
     do {
-      if (isOne(point)) return true;
-      if (point < limit()) point = nextMember_[point];
-    } while (point != root);
+      if (isOne(i)) return true;
+      if (i < limit()) i = nextMember_[i];
+    } while (i != root);
     return false;
   }
 
-  bool isRoot(int point) const { return point >= limit() || parent_[point] == point; }
-  /// Whether a root has several members.
-  bool isMerged(int root) const { return root < limit() && isMerged_[root]; }
+  bool isRoot(int i) const { return i >= limit() || parent_[i] == i; }
+  /// Whether a root's set has several members.
+  bool isMerged(int root) const { return root < limit() && hasOthers_[root]; }
   bool any() const { return !parent_.empty(); }
-  /// All points from this number on are unmerged.
+  /// All numbers from this one on are alone.
   int limit() const { return static_cast<int>(parent_.size()); }
 
  private:
   std::vector<int> parent_;
-  std::vector<int> nextMember_;  ///< rings of merged points
-  std::vector<char> isMerged_;   ///< of roots
+  std::vector<int> nextMember_;  ///< the ring of each set
+  std::vector<char> hasOthers_;  ///< of roots
 };
 
 }  // namespace gvd

@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
+#include "base/disjoint_sets.h"
 #include "base/sliced_loop.h"
-#include "diagram/point_merging.h"
 #include "gvd/diagram.h"
 
 namespace gvd {
@@ -40,7 +40,7 @@ struct BisectorGraph {
 
   std::vector<Point> points;
   std::vector<SurfacePoint> places;  ///< per point
-  PointMerging merging;
+  DisjointSets merging;
   std::vector<int> mergedFaces;  ///< faces with merged points, with repetitions
 
   std::vector<Diagram::Segment> segments;  ///< between points of the graph, without arcs

@@ -7,9 +7,9 @@
 #include <string>
 #include <utility>
 
+#include "base/disjoint_sets.h"
 #include "base/grouping.h"
 #include "base/rejection.h"
-#include "diagram/point_merging.h"
 #include "mesh/corners.h"
 #include "partition/convex_triangulation.h"
 
@@ -113,7 +113,7 @@ std::set<std::pair<int, int>> sidesOf(const PolygonHalfedges& halfedges) {
 
 /// The components of some vertices, joined by the sides between them.
 int countComponents(const PolygonHalfedges& halfedges, int vertices) {
-  PointMerging joined;
+  DisjointSets joined;
   for (int h = 0; h < halfedges.count(); ++h) {
     const int tail = joined.root(halfedges.tail(h)), tip = joined.root(halfedges.tip(h));
     if (tail == tip) continue;

@@ -130,7 +130,7 @@ class WindowSweep {
   bool maySpreadFrom(int vertex);
   void emit(int vertex, const OppositeSide& side, double direction);
 
-  // window_crossing.cpp: windows that arrive at a halfedge and cross its face.
+  // window_sweep_crossing.cpp: windows that arrive at a halfedge and cross its face.
   /// Returns the number of windows of the batch.
   long crossFace(int halfedge);
   void offerToApex(int halfedge, std::span<const Window> windows);
@@ -142,7 +142,7 @@ class WindowSweep {
   bool trimAtPortal(Window& w, const Portal& portal);
   void add(Window& w, const Portal& portal);
 
-  // window_requirements.cpp: required distances, and the windows that go on because of them.
+  // window_sweep_requirements.cpp: required distances, and the windows that go on because of them.
   void requireCorners(int face, double atMost);
   bool hasRequiredCorner(int face) const;
   void offerAlongSides(int face);
@@ -155,7 +155,7 @@ class WindowSweep {
   void continueNeeded();
   bool offerAndGoOn(int halfedge);
 
-  // window_search.cpp: sites near a point.
+  // window_sweep_search.cpp: sites near a point.
   void offerSites(int halfedge, std::span<const Window> windows);
 
   /// How far past the end of a window on a halfedge of some length a vertex may be seen
