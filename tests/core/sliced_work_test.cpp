@@ -457,6 +457,22 @@ TEST(SlicedWork, ProgressRisesToOne) {
   inSteps(startWorstFirst(mesh, 5, 1, WorstRegion::kDistortion));
 }
 
+/// It stood at 0 until all faces were split.
+TEST(SlicedWork, ProgressOfADetailedDiagramRisesAlongTheWay) {
+  const TriangleMesh mesh = shapes::grid(40, 40).mesh();
+  const auto field = finished(propagate(mesh, sampleUniform(mesh, 20, 1), Metric::kExact));
+  for (const int detail : {1, 2, 3}) {
+    std::vector<double> progress;
+    for (const auto work = startDiagram(mesh, *field, 20, {.detail = detail}); !work->step(100);)
+      progress.push_back(work->progress());
+    for (const double part : {0.25, 0.5, 0.75}) {
+      const double there = progress[static_cast<size_t>(part * progress.size())];
+      EXPECT_GT(there, part / 10) << detail;
+      EXPECT_LT(there, part + 0.2) << detail;
+    }
+  }
+}
+
 class OfADiagram : public ::testing::TestWithParam<int> {
  protected:
   const TriangleMesh mesh = shapes::randomMesh(GetParam());

@@ -45,6 +45,11 @@ bool ComplexBuilding::step(long& budget) {
       });
 }
 
+double ComplexBuilding::progress() const {
+  const double added = splitting_ ? splitting_->expectedCount() - mesh_.faceCount() : 0;
+  return partsExpected_ > 0 ? std::min(added / partsExpected_, 1.0) : sequence_.progress();
+}
+
 /// Finds the owners of all vertices, and adds the faces if mixed ones are to be split.
 bool ComplexBuilding::addMesh(long& budget) {
   NodeLabels& nodes = complex_.nodes_;

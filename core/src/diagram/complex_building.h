@@ -28,6 +28,10 @@ class ComplexBuilding {
   void startPart(std::span<const int> faces);
   /// The complex is complete once this has returned true.
   bool step(long& budget);
+  /// Whether mixed faces are split, which takes most of the time of tracing.
+  bool splitsFaces() const { return detail_ > 0; }
+  /// The share of the elements that splitting is expected to make; it may end below 1.
+  double progress() const;
 
   FaceComplex& complex() { return complex_; }
   const FaceComplex& complex() const { return complex_; }

@@ -45,7 +45,11 @@ class Tracing final : public SlicedWork<TracedDiagram> {
         [&] { return complex_.hasFacesOnly() || runPart(completion_, budget, complex_); },
         [&] { return isUnreliable() || trace(budget); });
   }
-  double share() const override { return (sequence_.progress() + tracing_.progress()) / 2; }
+  double share() const override {
+    if (!building_.splitsFaces()) return tracing_.progress();
+    constexpr double kOfBuilding = 0.8;
+    return kOfBuilding * building_.progress() + (1 - kOfBuilding) * tracing_.progress();
+  }
 
   TracedDiagram result() override {
     nodePoints_.clear();

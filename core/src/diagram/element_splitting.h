@@ -30,6 +30,11 @@ class ElementSplitting {
         near_(ties),
         required_(distances, ties, nodes) {}
   bool step(long& budget);
+  /// The number of elements, and of those that the current batch is about to become.
+  double expectedCount() const {
+    constexpr double kAdded = 3;  // by an element whose sides are all split
+    return elements_.count() + kAdded * static_cast<double>(batch_.size()) * required_.progress();
+  }
 
  private:
   bool splitBatch(long& budget);

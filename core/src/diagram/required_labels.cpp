@@ -25,6 +25,7 @@ bool RequiredLabels::find(long& budget) {
                      forEach(midpoints_, budget, 1, [&](int i) { setLabels(midpoints_[i]); })))
     return false;
   sequence_ = {};
+  finding_.reset();
   required_.clear();
   labels_.clear();
   previous_.clear();

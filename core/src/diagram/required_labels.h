@@ -21,6 +21,8 @@ class RequiredLabels {
   void add(int midpoint, int label, const SurfacePoint& p);
   /// Adds what was required to the labels of the midpoints; true when done.
   bool find(long& budget);
+  /// The share of the distances found; 0 while none are being found.
+  double progress() const { return finding_ ? finding_->progress() : 0; }
 
  private:
   void setLabels(int midpoint);
