@@ -23,7 +23,7 @@ constexpr size_t kAhead = 2;
 
 void UnfoldingSweep::start(const SurfacePoint& site, std::optional<double> reach) {
   reach_ = reach;
-  for (const int v : reached_) vertices_[v].distance = vertices_[v].limit = kInfinity;
+  for (const int v : reached_) vertices_[v].distance = vertices_[v].improvesBelow = kInfinity;
   reached_.clear();
   const TriangleMesh::Face& face = mesh_.face(site.face);
   const Incidence incidence = incidenceOf(site.bary);
@@ -95,7 +95,8 @@ void UnfoldingSweep::improve(int v, double distance, const Vector2d& direction,
     reached_.push_back(v);
   }
   own.distance = distance;
-  own.limit = distance * (1 - kDistanceTolerance * static_cast<double>(1LL << own.improvements));
+  own.improvesBelow =
+      distance * (1 - kDistanceTolerance * static_cast<double>(1LL << own.improvements));
   own.direction = direction;
   own.origin = origin;
   own.isQueued = distance <= reach_.value_or(own.reach);
@@ -112,7 +113,7 @@ void UnfoldingSweep::improve(int v, double distance, const Vector2d& direction,
   const int tail = face.vertices[side], tip = face.vertices[cornerAfter(side)];
   const int apex = face.vertices[cornerBefore(side)];
   const Vertex &atTail = vertices_[tail], &atTip = vertices_[tip];
-  const double most = vertices_[apex].limit;
+  const double most = vertices_[apex].improvesBelow;
   if (!mayBeNearer(face, side, atTail.distance, atTip.distance, most)) return;
   if (atTail.followsFrom(apex) || atTip.followsFrom(apex)) return;
   const auto unfolding = unfold(face, side, atTail.distance, atTip.distance);

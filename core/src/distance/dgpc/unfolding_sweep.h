@@ -115,7 +115,7 @@ class UnfoldingSweep {
 
   struct alignas(64) Vertex {
     double distance = kInfinity;
-    double limit = kInfinity;  ///< only distances below this are improvements
+    double improvesBelow = kInfinity;  ///< for rounding, a little below the distance
     double reach = kInfinity;  ///< the largest distance that is passed on, whatever the site
     Eigen::Vector2d direction;
     Origin origin;              ///< what the distance follows from
@@ -130,7 +130,7 @@ class UnfoldingSweep {
   void startAcross(const SurfacePoint& site, int side);
   /// Inlined, because most offers are no improvement.
   void offer(int vertex, double distance, const Eigen::Vector2d& direction, const Origin& origin) {
-    if (distance < vertices_[vertex].limit) improve(vertex, distance, direction, origin);
+    if (distance < vertices_[vertex].improvesBelow) improve(vertex, distance, direction, origin);
   }
   void improve(int vertex, double distance, const Eigen::Vector2d& direction, const Origin& origin);
   void passOn(int vertex);

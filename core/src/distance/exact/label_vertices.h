@@ -44,7 +44,7 @@ class LabelVertices {
   const Vertex& operator[](int v) const { return all_[v]; }
   Vertex& operator[](int v) { return all_[v]; }
   /// A vertex that counts as reached from now on, if need be at distance infinity.
-  Vertex& reach(int v) {
+  Vertex& touched(int v) {
     if (!all_[v].isTouched) touch(v);
     return all_[v];
   }

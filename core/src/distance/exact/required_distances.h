@@ -73,7 +73,7 @@ class RequiredDistances {
     block.y[lane] = static_cast<float>(scale_ * place.y());
     block.z[lane] = static_cast<float>(scale_ * place.z());
     distances_.push_back({distance, nearest});
-    limit(index);
+    setBounds(index);
     return index;
   }
   /// The least distance of the label known so far.
@@ -81,7 +81,7 @@ class RequiredDistances {
   void lower(int index, double distance) {
     if (!(distance < distances_[index].own)) return;
     distances_[index].own = distance;
-    limit(index);
+    setBounds(index);
   }
   /// The largest excess over the nearest label's distance with which a path can still shorten any
   /// required distance, when `findMostExcess` was last called.
@@ -164,7 +164,7 @@ class RequiredDistances {
   }
 
   /// Paths that tie with the distance can still become the shortest.
-  void limit(int index) {
+  void setBounds(int index) {
     const auto [own, nearest] = distances_[index];
     const double most = own * (1 + kDistanceTolerance);
     Block& block = blocks_[index / kLanes];

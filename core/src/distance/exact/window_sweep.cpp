@@ -184,7 +184,7 @@ void WindowSweep::startAcross(const SurfacePoint& site, int side, double angle) 
 }
 
 void WindowSweep::offer(int v, double distance, const LastPiece& piece) {
-  Vertex& own = vertices_.reach(v);
+  Vertex& own = vertices_.touched(v);
   if (!(rankOf({distance, piece.kind}) < rankOf({own.distance, own.piece.kind}))) return;
   own.distance = distance;
   own.piece = piece;

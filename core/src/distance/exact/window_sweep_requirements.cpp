@@ -65,7 +65,7 @@ void WindowSweep::visitAwake(Visit visit) const {
 /// Requires the distances of a face's corners that are not final yet.
 void WindowSweep::requireCorners(int f, double atMost) {
   for (const int v : mesh_.face(f).vertices) {
-    Vertex& own = vertices_.reach(v);
+    Vertex& own = vertices_.touched(v);
     if (own.isFinal | own.isRequired()) continue;
     own.required =
         required_.add(required_.placeOf(v), std::min(own.distance, atMost), bounds_[v].distance);
