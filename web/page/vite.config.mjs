@@ -47,7 +47,7 @@ const neededByNothing = {
   ShaderLib:
     /background|cube|depth|distance|equirect|linedashed|matcap|normal|phong|physical|points|shadow|sprite|toon|vsm/,
   ShaderChunk:
-    /physical|phong|toon|transmission|iridescence|clearcoat|lightprobes|tonemapping_pars|shadowm|(ao|bump|displacement|emissive|env|gradient|light|metalness|normal|roughness)map|normal_fragment_maps|alphahash|batching|clipping|dithering|fog|logdepth|morph|packing|particle|skin/,
+    /physical|phong|toon|transmission|iridescence|clearcoat|lightprobes|tonemapping_pars|shadowm|(ao|bump|displacement|emissive|env|gradient|light|metalness|normal|roughness)map|fragment_maps|alphahash|batching|clipping|dithering|fog|logdepth|morph|packing|particle|skin/,
 };
 
 /**

@@ -58,12 +58,6 @@ export class EnergyCurve {
       line('axis', plot.left, plot.bottom, plot.right, plot.bottom),
       line('axis', plot.left, plot.top, plot.left, plot.bottom),
       text('start', plot.left, plot.bottom + 14, '0'),
-      text(
-        'end',
-        plot.right,
-        plot.bottom + 14,
-        last < 0 ? 'iterations' : `${lastIteration} iterations`,
-      ),
       text('start', plot.left, plot.top - 9, 'energy (log)'),
     ];
     const middle = (plot.left + plot.right) / 2;
@@ -71,6 +65,7 @@ export class EnergyCurve {
       parts.push(text('middle', middle, 0.6 * plot.bottom, 'falls as regions become even'));
     } else {
       parts.push(
+        text('end', plot.right, plot.bottom + 14, `${lastIteration} iterations`),
         line('hexagons', plot.left, y(1), plot.right, y(1)),
         ...apart([1, highest, ...roundNumbers.filter((tick) => tick < highest)], y).map((tick) =>
           text('end', plot.left - 6, y(tick) + 4, String(Number(tick.toPrecision(3)))),

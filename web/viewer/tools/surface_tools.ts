@@ -232,8 +232,7 @@ export class SurfaceTools {
     const hit = this.pick(device);
     if (!hit || !model) return undefined;
     if (model.paint.dab(hit, attributes.brush)) this.#showTints(model);
-    else
-      this.#work.hint('The triangles are larger than the brush: it reaches none of their corners');
+    else this.#work.hint('The brush reaches no corner of a triangle here');
     return hit;
   }
 
