@@ -105,7 +105,9 @@ async function regionPolygons({ viewer, diagram, violations }: Source): Promise<
   if (drawn.size === 0) throw new Error('the regions have no polygons');
   const missing = viewer.regionAreas.filter((area, label) => area > 0 && !drawn.has(label)).length;
   if (missing > 0)
-    violations.push(`It leaves out ${counted(missing, 'region')} of fewer than three corners.`);
+    violations.push(
+      `The file leaves out ${counted(missing, 'region')} of fewer than three corners.`,
+    );
   return polygons;
 }
 
