@@ -302,7 +302,7 @@ suite('the panel', () => {
     });
     assert.equal(said, 'Copy');
     for (const [form, pattern] of [
-      ['script', /^import \{ load \}/],
+      ['script', /^\/\/ For a page\. .*\nimport \{ load \}/],
       ['element', /^<geodesic-voronoi src="http:.*\/samples\/bunny\.ply"/],
       ['command', /^curl -LO 'http:.*\/samples\/bunny\.ply'\ngeodesic-voronoi diagram bunny\.ply/],
     ]) {

@@ -33,7 +33,8 @@ void LabelTurns::setRequired(std::span<const Requirement> requirements) {
 void LabelTurns::begin(long& budget) {
   const auto& [label, how, facesEnd] = turns_[next_];
   const size_t begin = next_ > 0 ? turns_[next_ - 1].facesEnd : 0;
-  currentFaces_.assign(faces_.begin() + begin, faces_.begin() + facesEnd);
+  const auto own = std::span(faces_).subspan(begin, facesEnd - begin);
+  currentFaces_.assign(own.begin(), own.end());
   switch (how) {
     case Turn::kStart:
       return spread_.start(label);
