@@ -121,14 +121,28 @@ test('decompression can be given up', async ({ mock }) => {
   const file = await dracoGlb(octahedron(), many);
   await gvd.mesh(file); // now the modules are there
   const control = new AbortController();
-  const { instantiate } = WebAssembly;
-  let started = 0;
-  mock.method(WebAssembly, 'instantiate', (...args) => {
-    if (++started === 2) control.abort(new Error('enough'));
-    return instantiate(...args);
+  let clock = 0;
+  let steps = 0;
+  mock.method(performance, 'now', () => {
+    if (++steps === 10) control.abort(new Error('enough'));
+    return (clock += 1000); // every step is a slice
   });
   await assert.rejects(gvd.mesh(file, { signal: control.signal }), { message: 'enough' });
-  assert.equal(started, 2, 'primitives were decompressed that nobody wants');
+  assert.ok(steps < 15, `${steps} steps: primitives were decompressed that nobody wants`);
+});
+
+/** Each had an instance of the decoder, which took milliseconds and megabytes. */
+test('all primitives of a file are decompressed by one decoder', async ({ mock }) => {
+  const instantiate = mock.method(WebAssembly, 'instantiate');
+  const instancesFor = async (length) => {
+    const file = await dracoGlb(octahedron(), ({ meshes: [mesh] }) => {
+      mesh.primitives = Array.from({ length }, () => structuredClone(mesh.primitives[0]));
+    });
+    instantiate.mock.resetCalls();
+    assert.equal((await gvd.mesh(file)).info.inputFaces, 8 * length);
+    return instantiate.mock.callCount();
+  };
+  assert.equal(await instancesFor(50), await instancesFor(1));
 });
 
 test('compressed buffers are decoded in slices', async ({ mock }) => {

@@ -6,13 +6,17 @@ import { awake } from '../base/compile.js';
 import createDracoModule, { type DracoModule, type Pointer } from './draco_decoder.js';
 import { damagedData, gltfFault, type JsonObject } from './gltf_document.js';
 
-/** A mesh that has been decompressed. */
+/** A mesh that has been decompressed, to be freed before the next one. */
 export interface DracoMesh {
   /** Three per triangle, of 32 bits. */
   indices(): Uint8Array;
   /** The attribute of an id, with numbers of the type that its accessor has. */
   attribute(id: number, accessor: JsonObject, what: string): DracoAttribute;
+  free(): void;
 }
+
+/** Decompresses a mesh; `where` names it in errors, after which the decoder is of no use any more. */
+export type DracoDecoding = (packed: Uint8Array, where: string) => DracoMesh;
 
 interface DracoAttribute {
   content: Uint8Array;
@@ -30,12 +34,13 @@ const types = {
 } as const;
 const sizes = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 };
 
-/** Each mesh gets an instance of its own, so that bad data cannot spoil the next one. */
-export async function openDraco(
-  compiled: WebAssembly.Module,
-  packed: Uint8Array,
-  where: string,
-): Promise<DracoMesh> {
+/** A decoder for the meshes of one file, so that bad data cannot spoil another one. */
+export async function openDraco(compiled: WebAssembly.Module): Promise<DracoDecoding> {
+  const draco = await instantiated(compiled);
+  return (packed, where) => decoded(draco, packed, where);
+}
+
+function decoded(draco: DracoModule, packed: Uint8Array, where: string): DracoMesh {
   /** Runs work that may trap on malformed data. */
   const guarded = <Result>(work: () => Result): Result => {
     try {
@@ -45,7 +50,6 @@ export async function openDraco(
     }
   };
 
-  const draco = await instantiated(compiled);
   const { decoder, mesh } = guarded(() => {
     const decoder = new draco.Decoder();
     const mesh = new draco.Mesh();
@@ -85,6 +89,10 @@ export async function openDraco(
       });
       return { content, count };
     },
+    free: () => {
+      draco.destroy(mesh);
+      draco.destroy(decoder);
+    },
   };
 }
 
@@ -110,5 +118,7 @@ function copied(
 ): Uint8Array {
   const pointer = draco._malloc(bytes);
   if (pointer === 0 || !write(pointer, bytes)) throw new RangeError('nothing was written');
-  return draco.HEAPU8.slice(pointer, pointer + bytes);
+  const content = draco.HEAPU8.slice(pointer, pointer + bytes);
+  draco._free(pointer);
+  return content;
 }

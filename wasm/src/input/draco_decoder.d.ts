@@ -39,7 +39,9 @@ export type DracoModule = { readonly [Name in `DT_${NumberType}`]: number } & {
   Decoder: new () => Decoder;
   Mesh: new () => Mesh;
   readonly HEAPU8: Uint8Array;
+  destroy(object: Decoder | Mesh): void;
   _malloc(bytes: number): Pointer;
+  _free(pointer: Pointer): void;
 };
 
 export default function createDracoModule(options: {

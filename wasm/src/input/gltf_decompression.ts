@@ -5,7 +5,7 @@
 // accessors are redirected. Everything else stays as it is.
 
 import { imported } from '../base/compile.js';
-import type { DracoMesh } from './draco.js';
+import type { DracoDecoding, DracoMesh } from './draco.js';
 import {
   dracoExtension,
   extensionOf,
@@ -90,22 +90,36 @@ async function decompressPrimitives(
   dracoModule: () => Promise<WebAssembly.Module>,
   { signal }: TaskOptions,
 ): Promise<void> {
-  for (const [m, mesh] of objectsOf(json.meshes).entries()) {
-    for (const [p, primitive] of objectsOf(mesh.primitives).entries()) {
-      const compression = extensionOf(primitive, dracoExtension);
-      if (!compression) continue;
-      const where = `primitive ${p} of mesh ${m}`;
-      const view = data.entry('bufferViews', compression.bufferView, `the bufferView of ${where}`);
-      const { openDraco } = await imported(import('./draco.js'));
-      signal?.throwIfAborted();
-      const draco = await openDraco(await dracoModule(), data.bytesOf(view, where), where);
-      Object.assign(primitive, {
-        attributes: decompressedAttributes(primitive, compression, draco, data, where),
-        indices: decompressedIndices(primitive, draco, data, where),
-        mode: 4, // strips come as single triangles too
-      });
-      delete (primitive.extensions as JsonObject)[dracoExtension];
-    }
+  const primitives = objectsOf(json.meshes).flatMap((mesh, m) =>
+    objectsOf(mesh.primitives).map((primitive, p) => ({
+      primitive,
+      where: `primitive ${p} of mesh ${m}`,
+    })),
+  );
+  const compressed = primitives.filter(({ primitive }) => extensionOf(primitive, dracoExtension));
+  if (compressed.length === 0) return;
+  const { openDraco } = await imported(import('./draco.js'));
+  const decode = await openDraco(await dracoModule());
+  await inSlices(decompressingPrimitives(compressed, data, decode), { signal });
+}
+
+function* decompressingPrimitives(
+  primitives: readonly { primitive: JsonObject; where: string }[],
+  data: GltfData,
+  decode: DracoDecoding,
+): SlicedWork<void> {
+  for (const { primitive, where } of primitives) {
+    const compression = extensionOf(primitive, dracoExtension)!;
+    const view = data.entry('bufferViews', compression.bufferView, `the bufferView of ${where}`);
+    const mesh = decode(data.bytesOf(view, where), where);
+    Object.assign(primitive, {
+      attributes: decompressedAttributes(primitive, compression, mesh, data, where),
+      indices: decompressedIndices(primitive, mesh, data, where),
+      mode: 4, // strips come as single triangles too
+    });
+    mesh.free();
+    delete (primitive.extensions as JsonObject)[dracoExtension];
+    yield 0; // the share is not told
   }
 }
 
