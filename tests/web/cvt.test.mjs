@@ -303,7 +303,9 @@ suite('the centroidal tessellation', () => {
       return { x: left + 0.52 * width, y: top + 0.55 * height };
     });
     await viewer.page.mouse.click(x, y);
-    await viewer.page.locator('geodesic-voronoi .hint.shown', { hasText: /reaches no corner/ }).waitFor();
+    await viewer.page
+      .locator('geodesic-voronoi .hint.shown', { hasText: /reaches no corner/ })
+      .waitFor();
     assert.equal(await viewer.evaluate(({ density }) => density), undefined);
   });
 

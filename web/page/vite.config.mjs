@@ -52,11 +52,20 @@ const neededByNothing = {
 
 /**
  * Modules of three.js that its renderer makes or names, but that do nothing here: virtual reality,
- * shadows, morph targets, light probes, passes after the picture, uniforms in groups. Stubs replace
- * them, with just the members that the renderer uses in any case.
+ * shadows, clipping planes, morph targets, light probes, passes after the picture, uniforms in groups.
+ * Stubs replace them, with just the members that the renderer uses in any case.
  */
 const idleModules = {
   'extras/PMREMGenerator.js': 'export class PMREMGenerator {}',
+  'renderers/webgl/WebGLClipping.js': `
+    export class WebGLClipping {
+      uniform = {};
+      numPlanes = 0;
+      numIntersection = 0;
+      init() {
+        return false;
+      }
+    }`,
   'renderers/webgl/WebGLMorphtargets.js': 'export class WebGLMorphtargets {}',
   'renderers/webgl/WebGLOutput.js': 'export class WebGLOutput {}',
   'renderers/webgl/WebGLShadowMap.js':
