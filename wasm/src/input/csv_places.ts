@@ -19,7 +19,7 @@ export function readCsvPlaces(bytes: Uint8Array): number[] {
   const places: number[] = [];
   let columns = [0, 1, 2];
   let comment = '';
-  /** How many names the line before has. */
+  /** The number of names in the line before, if that is the first one. */
   let names = 0;
   let pattern: RegExp | undefined;
   for (const [i, line] of text.split(/\r\n|\r|\n/).entries()) {
@@ -29,8 +29,8 @@ export function readCsvPlaces(bytes: Uint8Array): number[] {
     pattern ??= columnPattern(line);
     const words = wordsOf(line.trim(), pattern);
     if (isFirst) {
-      const spoken = wordsOf(comment, pattern);
-      if (spoken.length === words.length) columns = columnsOf(spoken) ?? columns;
+      const inComment = wordsOf(comment, pattern);
+      if (inComment.length === words.length) columns = columnsOf(inComment) ?? columns;
       if (columns.some((column) => Number.isNaN(decimal(words[column] ?? '')))) {
         columns = columnsOf(words) ?? refuseNames(words, i + 1);
         names = words.length;

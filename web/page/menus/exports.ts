@@ -97,13 +97,15 @@ async function dualPolygons({ diagram, violations }: Source): Promise<PolygonMes
 }
 
 async function regionPolygons({ viewer, diagram, violations }: Source): Promise<PolygonMesh> {
+  // Now: the viewer may have another diagram by the time the polygons are there.
+  const areas = viewer.regionAreas;
   violations.push(violationSentence('The polygons in the file are', await diagram.violations()));
   const polygons = await diagram.dual({ primal: true });
   const { faceLabel, faces } = polygons;
   // Files leave out polygons of one or two corners.
   const drawn = new Set(faceLabel.filter((_, i) => faces.offset[i + 1] - faces.offset[i] > 2));
   if (drawn.size === 0) throw new Error('the regions have no polygons');
-  const missing = viewer.regionAreas.filter((area, label) => area > 0 && !drawn.has(label)).length;
+  const missing = areas.filter((area, label) => area > 0 && !drawn.has(label)).length;
   if (missing > 0)
     violations.push(
       `The file leaves out ${counted(missing, 'region')} of fewer than three corners.`,
