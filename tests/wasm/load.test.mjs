@@ -39,7 +39,9 @@ test('load() takes a URL, a path, bytes, what a server answered, or a module', a
     arrayBuffer,
     new DataView(arrayBuffer),
     new Response(coreBytes),
-    new Response(coreBytes, { headers: { 'Content-Type': 'application/wasm' } }),
+    ...['application/wasm', 'Application/Wasm', 'application/wasm; charset=utf-8'].map(
+      (type) => new Response(coreBytes, { headers: { 'Content-Type': type } }),
+    ),
     module,
   ]) {
     const gvd = await load({ wasm });

@@ -61,8 +61,8 @@ export async function compileFromWeb(address: URL | string): Promise<CompiledMod
 
 async function compileResponse(response: Response): Promise<CompiledModule> {
   if (!response.ok) throw new Error(`the server answers ${response.status} ${response.statusText}`);
-  // Streaming compilation needs this media type, which some servers do not send.
-  return response.headers.get('Content-Type')?.startsWith('application/wasm')
+  // Streaming compilation needs exactly this media type, which some servers do not send.
+  return response.headers.get('Content-Type') === 'application/wasm'
     ? WebAssembly.compileStreaming(response)
     : WebAssembly.compile(await response.arrayBuffer());
 }
