@@ -150,6 +150,12 @@ test('mesh', async () => {
     /^a mesh is .* Promise: await it$/,
   );
   await refused([new URL('file:///a.glb')], (source) => gvd.mesh(source), /URL: fetch or read the/);
+  await refused(['a.glb'], (source) => gvd.mesh(source), /"a\.glb": fetch or read the/);
+  await refused(
+    ['v 0 0 0\n'.repeat(1e4)],
+    (source) => gvd.mesh(source),
+    /"v 0 0 0\\n.{10,100}…": encode it as bytes$/,
+  );
   await refused(notOptions, (options) => gvd.mesh(octahedron(), options), /^options is /);
   await refused(
     notTasks.slice(notOptions.length),

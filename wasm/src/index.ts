@@ -110,7 +110,9 @@ function isWorker(worker: unknown): worker is PageWorker {
 
 /** What errors call a worker: by its address, unless the caller has started it. */
 function nameOf(worker: LoadWorkerOptions['worker']): string {
-  return isWorker(worker) ? 'the worker' : `the worker ${show(String(worker ?? 'worker.js'))}`;
+  return isWorker(worker)
+    ? 'the worker'
+    : `the worker ${JSON.stringify(String(worker ?? 'worker.js'))}`;
 }
 
 function requireWorker(worker: LoadWorkerOptions['worker']): void {

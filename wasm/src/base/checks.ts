@@ -180,9 +180,13 @@ export function isObject(value: unknown): value is object {
   return typeof value === 'object' && value !== null;
 }
 
+/** How much of a string a sentence shows: it may be the content of a file. */
+const mostLetters = 60;
+
 /** A value as a sentence shows it. */
 export function show(value: unknown): string {
-  if (typeof value === 'string') return JSON.stringify(value);
+  if (typeof value === 'string')
+    return JSON.stringify(value.length > mostLetters ? `${value.slice(0, mostLetters)}…` : value);
   if (typeof value === 'function') return 'a function';
   if (typeof value === 'bigint') return `${value}n`;
   if (!isObject(value)) return String(value);

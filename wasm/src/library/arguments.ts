@@ -203,8 +203,9 @@ export function toFiles(source: unknown): ModelFiles {
   );
 }
 
-/** What is nearly a mesh: the address of a file, its bytes to come, or an object of three.js. */
+/** What is nearly a mesh: a file's text or address, its bytes to come, or an object of three.js. */
 function adviceOn(source: unknown): string {
+  if (typeof source === 'string' && source.includes('\n')) return ': encode it as bytes';
   if (typeof source === 'string' || isA(source, 'URL')) return ': fetch or read the file';
   if (isA(source, 'Promise')) return ': await it';
   if (isObject(source) && 'isMesh' in source) return ': pass its geometry';
