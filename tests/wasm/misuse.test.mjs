@@ -208,6 +208,19 @@ test('mesh', async () => {
   );
 });
 
+test('arrays for which there is no memory', async (t) => {
+  const { positions, indices } = octahedron();
+  t.after(() => (globalThis.Float64Array = own));
+  const own = Float64Array;
+  globalThis.Float64Array = class {
+    constructor() {
+      throw new RangeError('Array buffer allocation failed');
+    }
+  };
+  const copy = () => gvd.mesh({ positions, indices });
+  await refused([undefined], copy, /not enough memory/, 'out-of-memory');
+});
+
 /** What takes a signal and tells how far it is. */
 const tasks = [
   (options) => mesh.sampleSites(2, options),

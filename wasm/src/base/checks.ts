@@ -2,7 +2,7 @@
 //
 // Checks of what callers pass. Each names the argument, says what it is, and what it should be.
 
-import { invalidArgument } from '../api/errors.js';
+import { invalidArgument, outOfMemory } from '../api/errors.js';
 import type { CompiledModule, TaskOptions } from '../api/options.js';
 
 /** The default of every option; undefined for an option without one, or that has to be given. */
@@ -102,11 +102,12 @@ export function toInt32(name: string, values: ArrayLike<number>): Int32Array<Arr
   return integers;
 }
 
-/** A copy of an array, which fails if the array was transferred. */
+/** A copy of an array, which fails if the array was transferred, or if there is no memory for it. */
 function copied<Copy>(name: string, copy: () => Copy): Copy {
   try {
     return copy();
   } catch (cause) {
+    if (cause instanceof RangeError) throw outOfMemory(cause);
     if (!(cause instanceof TypeError)) throw cause;
     throw invalidArgument(`${name} is an array that was transferred: it has no numbers any more`);
   }
