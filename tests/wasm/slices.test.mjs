@@ -128,6 +128,17 @@ test('the share of a diagram in detail goes on while it is traced', async () => 
   assert.ok(shares.filter((share) => share > 0.2 && share < 1).length > 10, `${shares}`);
 });
 
+test('the texts of a result are copied in slices', async () => {
+  const triangles = Array.from({ length: 99 }, (_, i) => [i, 0, 0, i + 0.5, 0, 0, i, 0.5, 0]);
+  const apart = await gvd.mesh({ positions: triangles.flat() });
+  const withOneSite = await apart.voronoi({ vertex: 0 });
+  hurry();
+  const shares = [];
+  const violations = await withOneSite.violations({ onProgress: (share) => shares.push(share) });
+  assert.equal(violations.filter(({ kind }) => kind === 'unreachable').length, 98);
+  assert.ok(shares.filter((share) => share === 1).length > 2 * 98, `${shares}`);
+});
+
 test('a change of a site: in slices, as at one go, and not given up when it has begun', async () => {
   const change = async (options) => {
     const own = await mesh.voronoi(diagram.sites);

@@ -32,6 +32,8 @@ const unitsPerStep = 256;
 /** Bytes of a result that are copied between two looks at the clock. */
 const bytesPerStep = 2 ** 18;
 
+const decoder = new TextDecoder();
+
 /**
  * The functions that a standalone module imports from its host. Ours read no files, environment or
  * clock: where the C library asks for one nevertheless, the answer is "nothing there".
@@ -172,7 +174,7 @@ export class WasmModule {
       for (let i = 0; i < count; ++i) {
         const [nameAddress, nameLength, address, length, type] = rows.subarray(5 * i);
         const bytes = new Uint8Array(memory.buffer, nameAddress, nameLength);
-        const name = new TextDecoder().decode(bytes);
+        const name = decoder.decode(bytes);
         setValue(result, name, yield* valueAt(memory, address, length, type));
       }
       return result as Result;
@@ -243,7 +245,7 @@ export class WasmModule {
   #textAt(address: number): string {
     const bytes = new Uint8Array(this.#exports.memory.buffer);
     const start = address >>> 0;
-    return new TextDecoder().decode(bytes.subarray(start, bytes.indexOf(0, start)));
+    return decoder.decode(bytes.subarray(start, bytes.indexOf(0, start)));
   }
 
   /** A trap leaves the module's memory in an unknown state: nothing may be called any more. */
@@ -281,7 +283,8 @@ function* valueAt(
     case 1:
       return yield* copied(memory, at, new Float64Array(length));
     case 2:
-      return new TextDecoder().decode(new Uint8Array(memory.buffer, at, length));
+      yield 1; // there may be as many texts as a file has parts
+      return decoder.decode(new Uint8Array(memory.buffer, at, length));
     case 3:
       return number();
     case 4:
