@@ -267,17 +267,28 @@ function integers(): GrowingArray<Int32Array<ArrayBuffer>> {
   return new GrowingArray(Int32Array);
 }
 
+/** A point that several sources may have, and the one before with the same key. */
+interface SharedPoint {
+  point: number;
+  face: number;
+  b0: number;
+  b1: number;
+  before: SharedPoint | undefined;
+}
+
 /** Collects the points that a merged diagram refers to, each place once. */
 class MergedPoints {
   readonly #face = integers();
   readonly #bary = new GrowingArray<Float64Array<ArrayBuffer>>(Float64Array);
   readonly #position = new GrowingArray<Float64Array<ArrayBuffer>>(Float64Array);
-  /** By face, if several sources may have points there at the same place: its points so far. */
-  readonly #shared = new Map<number, { point: number; b0: number; b1: number }[]>();
+  /** The faces in which several sources may have points at the same place. */
+  readonly #sharedFaces = new Set<number>();
+  /** The points in these so far, by `placeKey`: one face may have those of thousands of regions. */
+  readonly #shared = new Map<number, SharedPoint>();
 
   /** Only in faces that changes have points in may two sources share one. */
   constructor(changedFaces: readonly Int32Array[]) {
-    for (const faces of changedFaces) for (const face of faces) this.#shared.set(face, []);
+    for (const faces of changedFaces) for (const face of faces) this.#sharedFaces.add(face);
   }
 
   /** Numbers the points of a source in the merged diagram, each when it is first asked for. */
@@ -298,13 +309,15 @@ class MergedPoints {
   }
 
   #number(points: DiagramData['points'], i: number): number {
-    const here = this.#shared.get(points.face[i]);
-    if (!here) return this.#add(points, i);
+    const face = points.face[i];
+    if (!this.#sharedFaces.has(face)) return this.#add(points, i);
     const [b0, b1] = [points.bary[3 * i], points.bary[3 * i + 1]];
-    const known = here.find((each) => each.b0 === b0 && each.b1 === b1);
-    if (known) return known.point;
+    const key = placeKey(face, b0, b1);
+    const last = this.#shared.get(key);
+    for (let each = last; each; each = each.before)
+      if (each.face === face && each.b0 === b0 && each.b1 === b1) return each.point;
     const point = this.#add(points, i);
-    here.push({ point, b0, b1 });
+    this.#shared.set(key, { point, face, b0, b1, before: last });
     return point;
   }
 
@@ -316,6 +329,11 @@ class MergedPoints {
     this.#face.push(face[i]);
     return this.#face.length - 1;
   }
+}
+
+/** A whole number that points at the same place share, and few others have; engines keep 30 bits unboxed. */
+function placeKey(face: number, b0: number, b1: number): number {
+  return (Math.imul(face, 65599) + 2 ** 28 * (b0 + b1 / 3)) & (2 ** 30 - 1);
 }
 
 class ListsBuilder {
