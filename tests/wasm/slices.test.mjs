@@ -173,6 +173,29 @@ test('a diagram that is disposed, or a library, ends the work on it', async () =
   await assert.rejects(other, { code: 'disposed' });
 });
 
+test('what waits for its turn is given up at once, and what comes after it waits on', async () => {
+  hurry();
+  const own = await mesh.voronoi(diagram.sites);
+  const queues = [
+    [() => own.partition(), (task) => own.dual(task), () => own.violations()],
+    [
+      (task) => mesh.curvatureDensity(task),
+      (task) => mesh.distances(own.sites, task),
+      () => mesh.curvatureDensity(),
+    ],
+  ];
+  for (const [first, second, third] of queues) {
+    const order = [];
+    const control = new AbortController();
+    const long = first({}).finally(() => order.push('first'));
+    const waiting = second({ signal: control.signal }).catch(({ message }) => order.push(message));
+    const last = third().finally(() => order.push('third'));
+    control.abort(new Error('given up'));
+    await Promise.all([long, waiting, last]);
+    assert.deepEqual(order, ['given up', 'first', 'third']);
+  }
+});
+
 test('what is asked of a diagram while it is at work has its turn after that', async () => {
   hurry();
   const own = await mesh.voronoi(diagram.sites);

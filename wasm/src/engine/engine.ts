@@ -117,11 +117,3 @@ export interface Engine {
   close(object: Handle): void;
   dispose(): void;
 }
-
-/** Resolves when a call has succeeded or failed, and does not keep its result in memory. */
-export function settled(call: Promise<unknown>): Promise<void> {
-  return call.then(
-    () => {},
-    () => {},
-  );
-}

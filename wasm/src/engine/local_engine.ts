@@ -15,7 +15,6 @@ import {
   type MeshBuild,
   type OpenedDiagram,
   type OpenedMesh,
-  settled,
 } from './engine.js';
 import { GeodesicVoronoiError } from '../api/errors.js';
 import { type FileInput, type InputModules, readModel } from '../input/read_model.js';
@@ -29,6 +28,7 @@ import {
   subdivisionNotes,
 } from './subdivision.js';
 import type { Triangles } from '../base/triangles.js';
+import { Turns } from '../base/turns.js';
 import type { TaskOptions } from '../api/options.js';
 import { type Argument, WasmModule } from '../base/wasm_module.js';
 
@@ -46,7 +46,7 @@ interface StoredObject {
   free?: 'freeMesh' | 'freeVoronoi' | 'freeCvt';
   /** The mesh of a diagram, made when first asked for and freed with the diagram. */
   mesh?: Handle;
-  lastCall?: Promise<void>;
+  turns: Turns;
 }
 
 /** The answer of `createMesh`: the mesh and its facts. */
@@ -74,21 +74,17 @@ export class LocalEngine implements Engine {
   }
 
   /** Calls about one object are answered one after the other. */
-  call<Result>(
+  async call<Result>(
     name: string,
     object: Handle,
     args: readonly Argument[],
     task: TaskOptions,
   ): Promise<Result> {
-    const stored = this.#objects.get(object);
-    const result = (stored?.lastCall ?? Promise.resolve()).then(async () => {
-      task.signal?.throwIfAborted();
+    return this.#stored(object).turns.take(task, async () => {
       const answer = await this.#answerOf<Result>(name, object, args, task);
       task.onProgress?.(1);
       return answer;
     });
-    if (stored) stored.lastCall = settled(result);
-    return result;
   }
 
   async callMesh<Result>(
@@ -289,10 +285,14 @@ export class LocalEngine implements Engine {
   }
 
   #pointer(object: Handle): Pointer {
+    return this.#stored(object).pointer;
+  }
+
+  #stored(object: Handle): StoredObject {
     this.#open(); // throws if the library has been disposed, and with it the object
     const stored = this.#objects.get(object);
     if (!stored) throw new GeodesicVoronoiError('disposed', 'the object has been disposed');
-    return stored.pointer;
+    return stored;
   }
 
   /** The mesh itself, or the mesh that a diagram is on. */
@@ -303,8 +303,8 @@ export class LocalEngine implements Engine {
     return stored.mesh;
   }
 
-  #store(object: StoredObject): Handle {
-    this.#objects.set(++this.#lastHandle, object);
+  #store(object: Omit<StoredObject, 'turns'>): Handle {
+    this.#objects.set(++this.#lastHandle, { ...object, turns: new Turns() });
     return this.#lastHandle;
   }
 }

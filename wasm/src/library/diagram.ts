@@ -5,13 +5,14 @@
 
 import { appendChange, areLarge, changedData, changedSites } from './change.js';
 import { toTask, toTaskOptions } from '../base/checks.js';
-import { settled, type DiagramForm, type Engine, type OpenedDiagram } from '../engine/engine.js';
+import type { DiagramForm, Engine, OpenedDiagram } from '../engine/engine.js';
 import { diagramJson, type DiagramJson } from '../output/diagram_formats.js';
 import { checked, repairDefaults, toPoint, toPoints, type GivenPoints } from './arguments.js';
 import { EngineObject } from './engine_object.js';
 import { disposeSymbol, inspectSymbol, tagSymbol } from '../base/symbols.js';
 import { regionsOf } from '../base/region.js';
 import { partOf } from '../base/slices.js';
+import { Turns } from '../base/turns.js';
 import type {
   DiagramAccuracy,
   DiagramChange,
@@ -47,7 +48,8 @@ export class EngineDiagram implements Diagram {
   /** The changes that `#data` does not have yet: they are merged when the arrays are asked for. */
   #changes: DiagramChange[] = [];
   #regions: readonly Region[] | undefined;
-  #lastCall: Promise<void> = Promise.resolve();
+  /** What is asked of the diagram is carried out in the order of the calls. */
+  readonly #turns = new Turns();
 
   constructor(
     engine: Engine,
@@ -111,7 +113,7 @@ export class EngineDiagram implements Diagram {
 
   async fetchData(options?: TaskOptions): Promise<DiagramData> {
     const task = toTask(options);
-    return this.#inTurn(task, async () => {
+    return this.#turns.take(task, async () => {
       if (this.#changes.length > 0) {
         this.#data = await this.#object.call<DiagramData>('voronoiDiagram', [], task);
         this.#changes = [];
@@ -158,7 +160,7 @@ export class EngineDiagram implements Diagram {
         fault = { error };
       }
     };
-    return this.#inTurn({ signal }, async () => {
+    return this.#turns.take({ signal }, async () => {
       const site = place && (await this.#object.onSurface(place, { signal }));
       signal?.throwIfAborted();
       const all = site ? [...args, site.face, site.bary] : args;
@@ -172,24 +174,14 @@ export class EngineDiagram implements Diagram {
     });
   }
 
-  /** Carries out what is asked of the diagram one after the other, in the order of the calls. */
-  #inTurn<Result>({ signal }: TaskOptions, work: () => Promise<Result>): Promise<Result> {
-    const result = this.#lastCall.then(() => {
-      signal?.throwIfAborted();
-      return work();
-    });
-    this.#lastCall = settled(result);
-    return result;
-  }
-
   /** Asks core.wasm about the diagram, in turn. */
   #ask<Result>(name: string, args: readonly Argument[], task: TaskOptions): Promise<Result> {
-    return this.#inTurn(task, () => this.#object.call<Result>(name, args, task));
+    return this.#turns.take(task, () => this.#object.call<Result>(name, args, task));
   }
 
   /** Asks about points. */
   #askOf<Result>(name: string, points: GivenPoints, task: TaskOptions): Promise<Result> {
-    return this.#inTurn(task, async () => {
+    return this.#turns.take(task, async () => {
       const { face, bary } = await this.#object.onSurface(points, task);
       return this.#object.call<Result>(name, [face, bary], task);
     });
@@ -238,7 +230,7 @@ export class EngineDiagram implements Diagram {
 
   async violations(options?: TaskOptions): Promise<Violation[]> {
     const task = toTask(options);
-    return this.#inTurn(task, () => this.#violations(task));
+    return this.#turns.take(task, () => this.#violations(task));
   }
 
   async #violations(task: TaskOptions): Promise<Violation[]> {
@@ -262,7 +254,7 @@ export class EngineDiagram implements Diagram {
     const { maxAdded, ...task } = toTaskOptions(options, repairDefaults);
     checked({ maxAdded });
     const shareOfSites = 0.9; // the rest is their diagram
-    const sites = await this.#inTurn(task, async () => {
+    const sites = await this.#turns.take(task, async () => {
       const violations = await this.#violations({ signal: task.signal });
       if (violations.length === 0) return undefined;
       const finding = partOf(task, 0, shareOfSites);
