@@ -172,7 +172,7 @@ function toTriangles(source: MeshArrays): Triangles {
     positions,
     indices:
       indices === undefined
-        ? Int32Array.from({ length: positions.length / 3 }, (_, v) => v)
+        ? new Int32Array(positions.length / 3).map((_, v) => v)
         : toInt32('indices', indices),
     normals: toAttribute('normals', normals, positions.length),
     uvs: toAttribute('uvs', uvs, (positions.length / 3) * 2),
