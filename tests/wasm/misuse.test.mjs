@@ -295,7 +295,8 @@ test('options that there are not', async () => {
     );
   }
   await refused([{ seeds: 1 }], (value) => mesh.sampleSites(2, value), /"seed"$/);
-  await refused([{ Radius: 1 }, {}], (value) => mesh.sampleSites(value), /radius/);
+  await refused([{ Radius: 1 }], (value) => mesh.sampleSites(value), /radius/);
+  await refused([{}], (value) => mesh.sampleSites(value), /^radius is undefined, not a positive/);
 });
 
 test('how a mesh is made', async () => {

@@ -116,7 +116,7 @@ export class EngineMesh implements Mesh {
       throw invalidArgument(
         `a density is for random sites, not for the sampling ${show(sampling)}`,
       );
-    const radius = byRadius && checked(toOptions(wanted, { radius: NaN })).radius;
+    const radius = byRadius && checked(toOptions(wanted, { radius: undefined })).radius;
     const count = byRadius ? maxCount : checked({ count: wanted }).count;
     const ofSampling = perComponent === 0 ? task : partOf(task, 0, samplingShare);
     const sample = async (): Promise<SurfacePoints> => {
