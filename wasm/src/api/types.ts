@@ -158,7 +158,8 @@ export interface Mesh extends Disposable {
   readonly info: MeshInfo;
   /**
    * The input in world space: x, y, z per input vertex, three vertices per input triangle. With
-   * `maxEdge`, vertices and triangles are those after subdivision, here and everywhere.
+   * `maxEdge`, vertices and triangles are those after subdivision, here and everywhere. These arrays
+   * and those below are the mesh's own: copy them before they are transferred.
    */
   readonly positions: Float64Array;
   readonly indices: Int32Array;
