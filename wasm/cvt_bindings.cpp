@@ -31,7 +31,7 @@ CvtOptions optionsOf(const TriangleMesh& mesh, Text method, Text metric, int ite
   return options;
 }
 
-/// `CvtState` of the next iteration without a diagram, and whether there is one.
+/// The next iteration as a `CvtState` without a diagram; `hasState` is false if there was none.
 class CvtAdvancing final : public SlicedWork<Record> {
  public:
   /// The tessellation must outlive the steps. Others go on where these end.
@@ -79,7 +79,7 @@ GVD_ABI CvtHandle* startCvt(const MeshHandle* handle, Ints face, Doubles bary, T
 
 GVD_ABI void freeCvt(CvtHandle* cvt) { delete cvt; }
 
-/// `CvtState` of the next iteration, see `CvtAdvancing`.
+/// See `CvtAdvancing`.
 GVD_ABI Answer* advanceCvt(CvtHandle* cvt) {
   return guarded([&] { return answerOf(std::make_unique<CvtAdvancing>(*cvt)); });
 }
