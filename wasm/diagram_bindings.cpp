@@ -207,7 +207,8 @@ class SiteChanging final : public SlicedWork<Record> {
   bool wasMade_ = false;
   std::unique_ptr<SlicedWork<DiagramChange>> change_;
   std::optional<DiagramChange> changed_;
-  std::unique_ptr<WorstRegions> regions_;  ///< while they follow; lost if that is dropped
+  /// Those of the handle while they follow the change; the handle has none if that does not end.
+  std::unique_ptr<WorstRegions> regions_;
   std::unique_ptr<SlicedSteps> following_;
 };
 

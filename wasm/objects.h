@@ -58,7 +58,7 @@ struct VoronoiHandle {
   void takeDynamic(DynamicDiagram made);
 };
 
-/// Work on the diagram of the present sites. If these have changed, it is first joined to one.
+/// Work on the diagram of the present sites. After changes, its pieces are first joined to a whole.
 class DiagramWork final : public SlicedWork<Record> {
  public:
   /// Begins the work; it may keep what it is given.

@@ -54,8 +54,9 @@ Record pathRecord(const TriangleMesh& mesh, std::span<const SurfacePoint> path);
 std::unique_ptr<SlicedWork<Record>> diagramRecording(const DiagramOnMesh& on);
 /// `DiagramChange`, of the site that had or has the label.
 Record changeRecord(const TriangleMesh& mesh, int label, DiagramChange change);
-/// `Partition`, of which the points are recorded and the faces are those of the input; `corners`
-/// are those of its triangles, three each, in terms of the input triangles that these are part of.
+/// `Partition`. Its triangles name input triangles already; `points` is the record of its points,
+/// and `corners` has the corners of its triangles, three each, as coordinates in these input
+/// triangles.
 Record partitionRecord(const TriangleMesh& mesh, Partition partition, Record points,
                        std::vector<Eigen::Vector3d> corners);
 /// `PolygonMesh`.

@@ -37,7 +37,7 @@ export function subdividedParts(parts: readonly MeshPart[], { parents }: Subdivi
   });
 }
 
-/** The first part of a triangle or, if it has none, of the next one that has. */
+/** The first part of a triangle: every one has some. Past the last triangle, the number of parts. */
 export function firstPartOf(triangle: number, parents: Int32Array): number {
   let [low, high] = [0, parents.length];
   while (low < high) {
