@@ -333,6 +333,19 @@ suite('the page', () => {
     await is('grid 10.obj', 18);
   });
 
+  test('a folder of too many files is told of in a sentence, and can be chosen again', async () => {
+    const left = await viewer.page.evaluate(() => {
+      const list = new DataTransfer();
+      for (let i = 0; i <= 10_000; ++i) list.items.add(new File([], `${i}.txt`));
+      const folder = document.getElementById('folder');
+      folder.files = list.files;
+      folder.dispatchEvent(new Event('change'));
+      return folder.files.length;
+    });
+    await viewer.page.locator('#error-text', { hasText: 'more than 10000 files' }).waitFor();
+    assert.equal(left, 0);
+  });
+
   test('a folder is dropped', async () => {
     const { json, buffer } = gltf(grid(3), { uri: 'data/a.bin' });
     const contents = [JSON.stringify(json), [...buffer]];

@@ -25,18 +25,22 @@ export function setUpModelChoice(viewer: GeodesicVoronoiElement, edits: Edits): 
     return;
   }
   const menu = new ModelMenu(viewer, edits);
-  const open = async (files: readonly File[], all: ModelFiles | Promise<ModelFiles>) => {
+  /** Dropped ones come with what is in their folders. */
+  const open = async (files: readonly File[], dropped?: Promise<ModelFiles>) => {
     try {
       const { isSitesFile, openSites } = await fetched(import('./sites_file.js'));
       const areSites = await Promise.all(files.map(isSitesFile));
       const sites = files.filter((_, i) => areSites[i]);
-      if (files.length > sites.length && !(await menu.openFiles(without(sites, await all)))) return;
+      if (files.length > sites.length) {
+        const all = dropped ? await dropped : chosenFiles(files);
+        if (!(await menu.openFiles(without(sites, all)))) return;
+      }
       for (const file of sites) await openSites(viewer, file);
     } catch (error) {
       showError((error as Error).message);
     }
   };
-  setUpPicker((files) => void open(files, chosenFiles(files)));
+  setUpPicker((files) => void open(files));
   setUpDrop((dropped) => {
     void open([...dropped.files], droppedFiles(dropped));
   });
