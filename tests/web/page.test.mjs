@@ -540,6 +540,24 @@ suite('the page', () => {
     assert.deepEqual(new Set(Object.values(kept.densities ?? {})), new Set([100]));
   });
 
+  test('a model that is chosen again while another is opened keeps its settings', async () => {
+    await viewer.evaluate(async (viewer) => {
+      const menu = document.getElementById('samples');
+      viewer.setAttribute('up', 'z');
+      for (const value of ['torus.glb', 'bunny.ply']) {
+        menu.value = value;
+        menu.dispatchEvent(new Event('change'));
+        await new Promise((resolve) => setTimeout(resolve));
+      }
+    });
+    await viewer.settled();
+    const model = await viewer.evaluate((viewer) => [
+      viewer.info.origin.file,
+      viewer.getAttribute('up'),
+    ]);
+    assert.deepEqual(model, ['bunny.ply', 'z']);
+  });
+
   test('models that were given up leave the first, with its settings', async () => {
     await viewer.evaluate(async (viewer) => {
       const menu = document.getElementById('samples');

@@ -122,24 +122,29 @@ class ModelMenu {
     }
     const asked = { ...choice }; // the same model may be asked for once more meanwhile
     this.#asked = asked;
-    if (choice.option !== this.#shown.option) await this.#takeSettings();
+    if (choice.option === this.#shown.option) this.#returnSettings();
+    else this.#takeSettings();
+    // The element applies attributes at the end of the task. It may begin to build this model anew, which
+    // opening the next one then ends; in the other order, it would end that.
+    await Promise.resolve();
     const isOpen = await choice.open();
     if (!isOpen && this.#asked === asked) {
       this.#show(this.#shown);
-      for (const [name, value] of this.#settings.splice(0)) this.#viewer.setAttribute(name, value);
+      this.#returnSettings();
     }
     return isOpen;
   }
 
-  async #takeSettings(): Promise<void> {
+  #takeSettings(): void {
     for (const name of ofOneModel) {
       const value = this.#viewer.getAttribute(name);
       if (value !== null) this.#settings.push([name, value]);
       this.#viewer.removeAttribute(name);
     }
-    // The element applies attributes at the end of the task. It may begin to build this model anew, which
-    // opening the next one then ends; in the other order, it would end that.
-    await Promise.resolve();
+  }
+
+  #returnSettings(): void {
+    for (const [name, value] of this.#settings.splice(0)) this.#viewer.setAttribute(name, value);
   }
 
   #show(choice: Choice): void {
