@@ -461,6 +461,12 @@ suite('first sight', () => {
       page.evaluate(() => document.querySelector('geodesic-voronoi').setAttribute('weld', '1e-6')),
     );
     await kept(/model=mine\.glb&.*weld=1e-6/);
+    await viewer.after('diagram', () =>
+      page.evaluate(() =>
+        document.querySelector('geodesic-voronoi').setAttribute('max-edge', '0.1'),
+      ),
+    );
+    await kept(/model=mine\.glb&.*max-edge=0\.1/);
     const own = await viewer.sites();
     /** Does what the page asks about, with this answer. */
     const asked = async (act, answer) => {

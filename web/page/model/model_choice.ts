@@ -59,7 +59,7 @@ class ModelMenu {
   readonly #edits: Edits;
   readonly #menu = byId('samples', HTMLSelectElement);
   readonly #ownFiles = make('optgroup', { label: 'Your files' });
-  readonly #choices = new Map<HTMLOptionElement, Choice>();
+  readonly #choices = new WeakMap<HTMLOptionElement, Choice>();
   #shown: Choice;
   /** The model that was chosen last: being opened, or shown already. */
   #asked: Choice;
@@ -128,7 +128,8 @@ class ModelMenu {
     // opening the next one then ends; in the other order, it would end that.
     await Promise.resolve();
     const isOpen = await choice.open();
-    if (!isOpen && this.#asked === asked) {
+    if (isOpen) this.#edits.forget();
+    else if (this.#asked === asked) {
       this.#show(this.#shown);
       this.#returnSettings();
     }

@@ -8,21 +8,23 @@ import { modelName, notHeld } from './page_state.js';
 
 export class Edits {
   readonly #viewer: GeodesicVoronoiElement;
-  #file = '';
   /** Whether there were any before the mesh was built anew: they can no longer be undone. */
   #wereMade = false;
   #areMade = false;
 
   constructor(viewer: GeodesicVoronoiElement) {
     this.#viewer = viewer;
-    listen(viewer, 'load', ({ name, info }) => {
-      const opened = `${name} ${info.inputFaces}`;
-      this.#wereMade = this.#areMade && opened === this.#file;
-      this.#file = opened;
+    listen(viewer, 'load', () => {
+      this.#wereMade = this.#areMade;
     });
     listen(viewer, 'sites-change', ({ canUndo }) => {
       this.#areMade = canUndo || this.#wereMade;
     });
+  }
+
+  /** Forgets them, since another model has been opened. */
+  forget(): void {
+    this.#wereMade = this.#areMade = false;
   }
 
   /** Whether anything was done that the address does not hold. */
