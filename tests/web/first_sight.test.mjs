@@ -602,6 +602,25 @@ suite('first sight', () => {
     assert.equal(await asking.isVisible(), false);
   });
 
+  test('a link that is pasted before the page is there opens its own model', async () => {
+    let answer;
+    const asked = new Promise((resolve) => (answer = resolve));
+    const visiting = browser.visit({
+      hash: '#v=1&model=torus.glb&sites=12&seed=3',
+      prepare: (page) => page.route('**/main-*.js', (route) => answer({ page, route })),
+    });
+    const { page, route } = await asked;
+    await page.evaluate(() => (location.hash = '#v=1&model=hand.glb&sites=12&seed=3'));
+    await route.continue();
+    const viewer = await visiting;
+    await viewer.settled();
+    const facesOf = ({ info }) => [info.origin.file, info.faces];
+    const [name, faces] = await viewer.evaluate(facesOf);
+    assert.equal(name, 'hand.glb');
+    const other = await browser.open({ hash: '#v=1&model=hand.glb&sites=12&seed=3' });
+    assert.equal(faces, (await other.evaluate(facesOf))[1]);
+  });
+
   test('a link that is pasted where the page is open is followed', async () => {
     const viewer = await browser.open();
     await viewer.page.evaluate(() => {

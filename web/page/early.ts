@@ -11,7 +11,8 @@ import { modelOf } from './samples/first_model.js';
 declare const firstBytes: number;
 
 // The poster is of the model that the page opens with, unless a link names another.
-byId('poster', HTMLElement).hidden = modelOf(location.hash) !== modelOf('');
+const address = modelOf(location.hash);
+byId('poster', HTMLElement).hidden = address !== modelOf('');
 
 const bar = byId('progress-bar', HTMLProgressElement);
 let received = 0;
@@ -35,10 +36,13 @@ async function count({ body }: Response): Promise<void> {
 // other module than this one.
 const modules = WebAssembly.compileStreaming(fetchCounted(core)).then((wasm) => ({ wasm }));
 const opening = new AbortController();
-const model = fetchCounted(modelOf(location.hash), opening.signal);
-for (const each of [modules, model]) each.catch(() => {});
+const response = fetchCounted(address, opening.signal);
+for (const each of [modules, response]) each.catch(() => {});
 
-void import('./main.js').then(({ setUpPage }) => setUpPage(modules, model, opening), tellFailure);
+void import('./main.js').then(
+  ({ setUpPage }) => setUpPage(modules, { address, response, opening }),
+  tellFailure,
+);
 
 /** Reports that the large script failed; only this one is left to do so. */
 function tellFailure({ message }: Error): void {

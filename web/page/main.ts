@@ -8,7 +8,6 @@ import { provideModules } from '../viewer/session/library_pool.js';
 import { provideModel } from '../viewer/session/model_files.js';
 import { byId } from './base/dom.js';
 import { showFailure } from './base/messages.js';
-import { modelOf } from './samples/first_model.js';
 import { setUpAddress } from './state/address.js';
 import { Edits } from './state/edits.js';
 import { setUpFirstSight } from './state/first_sight.js';
@@ -29,18 +28,22 @@ import { setUpFeedback } from './readings/feedback.js';
 /** How long after the first diagram the rest of the page is fetched, in milliseconds. */
 const restMilliseconds = 2000;
 
+/** A model that is being fetched. The address that the page has by now may name another one. */
+interface FetchedModel {
+  address: string;
+  response: Promise<Response>;
+  opening: AbortController;
+}
+
 /** Sets up the page; the fetches of the modules and of the first model have begun already. */
-export function setUpPage(
-  modules: Promise<LoadOptions>,
-  model: Promise<Response>,
-  opening: AbortController,
-): void {
+export function setUpPage(modules: Promise<LoadOptions>, model: FetchedModel): void {
   provideModules(modules);
-  provideModel(modelOf(location.hash), (signal) => {
+  const { address, response, opening } = model;
+  provideModel(address, (signal) => {
     // It may be given up before the library is there that asks for the model.
     if (signal.aborted) opening.abort();
     signal.addEventListener('abort', () => opening.abort());
-    return model;
+    return response;
   });
   const viewer = byId('viewer', GeodesicVoronoiElement);
   setUpFeedback(viewer);
