@@ -43,15 +43,18 @@ export function setUpAddress(viewer: GeodesicVoronoiElement, edits: Edits): void
 function keepState(viewer: GeodesicVoronoiElement): () => void {
   const { hash } = location;
   const named = new URLSearchParams(hash.slice(1)).get('model');
-  // How many models are opened that the address does not describe: the sample in place of a file.
-  let standIns = isPageState(hash) && named && !isSample(named) ? 1 : 0;
-  listen(viewer, 'load', () => --standIns);
+  const first = lastSegment(modelOf(hash));
+  // The sample in place of a file, which the address does not describe.
+  let standIn = isPageState(hash) && named && !isSample(named) ? first : undefined;
+  listen(viewer, 'load', ({ name }) => {
+    if (name !== standIn) standIn = undefined;
+  });
   let known = hash;
-  let model = named ?? lastSegment(modelOf(hash));
+  let model = named ?? first;
   let waiting = 0;
   const write = () => {
     // Another hash than the known one is a link that is about to be opened.
-    const isReady = viewer.getAttribute('status') === 'ready' && standIns < 0;
+    const isReady = viewer.status === 'ready' && standIn === undefined;
     if (!isReady || location.hash !== known) return;
     const state = pageState(viewer);
     const isOther = modelName(viewer) !== model;
