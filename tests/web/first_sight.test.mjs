@@ -146,6 +146,20 @@ suite('first sight', () => {
     assert.equal(await isDisabled(viewer, '#undo'), true);
   });
 
+  test('another model ends what makes regions even without a motion, and what the panel says of it', async () => {
+    const viewer = await browser.visit({
+      hash: '',
+      prepare: (page) =>
+        page.addInitScript(() => {
+          const extend = ({ target }) => target.setAttribute('cvt-iterations', '10000');
+          addEventListener('diagram', extend, { capture: true, once: true });
+        }),
+    });
+    await state(viewer, 'Playing');
+    await viewer.after('diagram', () => viewer.page.selectOption('#samples', 'torus.glb'));
+    await state(viewer, 'Not begun');
+  });
+
   test('what it needs is asked for once', async () => {
     const asked = [];
     await browser.open({

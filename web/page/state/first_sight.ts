@@ -70,15 +70,21 @@ async function evenOut(viewer: GeodesicVoronoiElement, readings: CvtReadings): P
   const { mesh, sites } = viewer;
   if (!mesh) return;
   const isIdle = () => viewer.cvtStatus === 'idle';
+  const clear = () => isIdle() && readings.tell('idle');
   const iterations = Number(attributeOf(viewer, 'cvt-iterations'));
   const states: CvtState[] = [];
   readings.tell('running');
-  for await (const state of mesh.cvt(sites, { iterations })) states.push(state);
+  try {
+    for await (const state of mesh.cvt(sites, { iterations })) states.push(state);
+  } catch (error) {
+    clear();
+    throw error;
+  }
   const last = states.at(-1);
   // Changes that the reader has made meanwhile are kept.
   const isEdited = viewer.density !== undefined || !isSame(sites, viewer.sites);
   if (!last || mesh !== viewer.mesh || isEdited) {
-    if (isIdle()) readings.tell('idle');
+    clear();
     return;
   }
   viewer.sites = last.sites;
@@ -91,7 +97,6 @@ async function evenOut(viewer: GeodesicVoronoiElement, readings: CvtReadings): P
     }
     readings.tell(last.iteration < iterations ? 'done' : 'paused');
     // The next diagram has other sites, to which the readings do not apply.
-    const clear = () => isIdle() && readings.tell('idle');
     viewer.addEventListener('diagram', clear, { once: true });
   };
   viewer.addEventListener('diagram', show, { once: true });
