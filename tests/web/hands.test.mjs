@@ -249,7 +249,20 @@ suite('hands', () => {
     await viewer.page.fill('#count', '3000');
     await viewer.page.selectOption('#sampling', 'farthest');
     await viewer.after('diagram', () => viewer.page.click('#sampling-form [type=submit]'));
-    await viewer.page.locator('#note-text', { hasText: 'sites instead of 3,000' }).waitFor();
+    const note = viewer.page.locator('#note-text', { hasText: 'sites instead of 3,000' });
+    await note.waitFor();
+    // Not of a sampling that was given up.
+    await viewer.page.click('#note-close');
+    const seed = await viewer.page.inputValue('#seed');
+    await viewer.page.fill('#seed', '9');
+    await viewer.evaluate((viewer) => {
+      const cancel = () => setTimeout(() => viewer.cancel());
+      viewer.addEventListener('status-change', cancel, { once: true });
+    });
+    await viewer.page.click('#sampling-form [type=submit]');
+    await viewer.page.waitForFunction((s) => document.getElementById('seed').value === s, seed);
+    await viewer.after('diagram', () => viewer.evaluate((viewer) => viewer.removeSite(0)));
+    assert.equal(await note.isVisible(), false);
 
     const info = await viewer.evaluate(({ info }) => info);
     const detail = { name: 'large.glb', info: { ...info, faces: 2_000_000 }, parts: [] };

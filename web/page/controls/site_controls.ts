@@ -49,13 +49,13 @@ function setUpBareNote(viewer: GeodesicVoronoiElement): void {
  * The function returned tells how many are wanted by the sampling that begins.
  */
 function setUpNoteOfFewer(viewer: GeodesicVoronoiElement): (count: number) => void {
-  let expected = 0;
+  let wanted = 0;
+  // There is no diagram if the sampling is given up.
+  listen(viewer, 'status-change', ({ status }) => {
+    if (status === 'ready') wanted = 0;
+  });
   listen(viewer, 'diagram', ({ sites }) => {
-    const wanted = expected;
-    expected = 0;
-    // The attributes are what they were if the sampling was given up.
-    const isSampled = Number(viewer.getAttribute('sites')) === wanted;
-    if (!isSampled || sites === 0 || sites >= wanted) return;
+    if (sites === 0 || sites >= wanted) return;
     showNoteOnSites(
       viewer,
       `${counted(sites, 'site')} instead of ${integer(wanted)}: places as far apart as possible are ` +
@@ -63,7 +63,7 @@ function setUpNoteOfFewer(viewer: GeodesicVoronoiElement): (count: number) => vo
     );
   });
   return (count) => {
-    expected = count;
+    wanted = count;
   };
 }
 
