@@ -314,6 +314,24 @@ suite('the panel', () => {
     }
   });
 
+  test('how sites were made is found out once for all forms of code, and no longer than the menu is open', async () => {
+    await viewer.evaluate(({ mesh }) => {
+      window.asked = [];
+      const { sampleSites } = mesh;
+      mesh.sampleSites = (count, options) => {
+        window.asked.push(options.signal);
+        return sampleSites.call(mesh, count, options);
+      };
+    });
+    await click('#share-button');
+    for (const form of ['element', 'command', 'script'])
+      await viewer.page.locator(`input[name=code][value=${form}]`).check({ force: true });
+    await viewer.page.locator('#copy-code:enabled').waitFor();
+    await viewer.page.keyboard.press('Escape');
+    await viewer.page.waitForFunction(() => window.asked[0].aborted);
+    assert.equal(await viewer.page.evaluate(() => window.asked.length), 1);
+  });
+
   test('an error or a note takes the place of the caption', async () => {
     const caption = viewer.page.locator('#caption');
     assert.equal(await caption.isVisible(), true);

@@ -14,14 +14,16 @@ import { downloadName } from './download_rows.js';
 import { isSame } from '../base/same_sites.js';
 
 /** How the present sites were made: by sampling, by a tessellation of those, or by hand. */
-type Origin = 'sampled' | 'even' | 'edited';
+export type Origin = 'sampled' | 'even' | 'edited';
 
 /**
  * Notes with which sites and settings tessellations begin, and how far they get; returns what tells
  * how the present sites were made. Code repeats a tessellation only if it began with sampled sites,
  * has a uniform density and the present settings, and has come as far as the code goes.
  */
-export function watchOrigin(viewer: GeodesicVoronoiElement): () => Promise<Origin> {
+export function watchOrigin(
+  viewer: GeodesicVoronoiElement,
+): (signal?: AbortSignal) => Promise<Origin> {
   let first = viewer.sites;
   let iterations = 0;
   let settings = '';
@@ -32,26 +34,32 @@ export function watchOrigin(viewer: GeodesicVoronoiElement): () => Promise<Origi
     first = viewer.sites;
     settings = present();
   });
-  return async () => {
+  return async (signal) => {
     if (viewer.cvtStatus === 'idle')
-      return (await areSampled(viewer, viewer.sites)) ? 'sampled' : 'edited';
+      return (await areSampled(viewer, viewer.sites, signal)) ? 'sampled' : 'edited';
     const isRepeatable =
       iterations === Number(attributeOf(viewer, 'cvt-iterations')) &&
       settings === present() &&
       viewer.density === undefined;
-    return isRepeatable && (await areSampled(viewer, first)) ? 'even' : 'edited';
+    return isRepeatable && (await areSampled(viewer, first, signal)) ? 'even' : 'edited';
   };
 }
 
-async function areSampled(viewer: GeodesicVoronoiElement, sites: SurfacePoints): Promise<boolean> {
+/** Whether sampling them once more, which may take long, gives the same sites. */
+async function areSampled(
+  viewer: GeodesicVoronoiElement,
+  sites: SurfacePoints,
+  signal: AbortSignal | undefined,
+): Promise<boolean> {
   const number = (name: string) => Number(attributeOf(viewer, name));
   const sampled = await viewer.mesh
     ?.sampleSites(number('sites'), {
       seed: number('seed'),
       sampling: attributeOf(viewer, 'sampling') as Sampling,
       perComponent: number('per-component'),
+      signal,
     })
-    // Fails if there are fewer sites than that takes.
+    // Fails if there are fewer sites than that takes, and if nobody wants to know it any more.
     .catch(() => undefined);
   return sampled !== undefined && isSame(sampled, sites);
 }

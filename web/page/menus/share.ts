@@ -3,7 +3,7 @@
 // The menu that gives a link and code.
 
 import type { GeodesicVoronoiElement } from '../../viewer/element.js';
-import { codeOf, watchOrigin } from './code_forms.js';
+import { codeOf, type Origin, watchOrigin } from './code_forms.js';
 import { byId, onClick } from '../base/dom.js';
 import { isSample, sampleAddress } from '../samples/first_model.js';
 import { modelName, notHeld, pageState } from '../state/page_state.js';
@@ -15,35 +15,48 @@ export function setUpShare(viewer: GeodesicVoronoiElement): void {
   const link = byId('share-link', HTMLInputElement);
   const code = byId('code', HTMLElement);
   const originOf = watchOrigin(viewer);
+  /** Ends when the menu is closed. */
+  let opened = new AbortController();
+  /** How the sites were made, found out once each time that the menu is opened. */
+  let origin: Promise<Origin> | undefined;
 
-  const fill = () => {
-    const model = modelName(viewer);
+  const showLink = () => {
     const address = new URL(location.href);
     address.hash = pageState(viewer);
     link.value = address.href;
     const lacking = notHeld(viewer);
     note.textContent =
       lacking.join(' ') || 'Whoever opens the link sees this model, these sites and this view.';
-    const itsAddress = isSample(model)
-      ? new URL(sampleAddress(model), location.href).href
-      : undefined;
-    void originOf().then((origin) => {
-      code.textContent = codeOf(viewer, { name: model, address: itsAddress }, origin, chosen());
-    });
+  };
+  const showCode = async () => {
+    const { signal } = opened;
+    const name = modelName(viewer);
+    const address = isSample(name) ? new URL(sampleAddress(name), location.href).href : undefined;
+    const known = await origin;
+    if (!known || signal.aborted) return;
+    code.textContent = codeOf(viewer, { name, address }, known, chosen());
+    copyCode.disabled = false;
   };
   const chosen = () =>
     menu.querySelector<HTMLInputElement>('input[name="code"]:checked')?.value ?? 'script';
-  menu.addEventListener('beforetoggle', (event) => {
-    if ((event as ToggleEvent).newState === 'open') fill();
+  menu.addEventListener('beforetoggle', ({ newState }) => {
+    opened.abort();
+    if (newState !== 'open') return;
+    opened = new AbortController();
+    showLink();
+    code.textContent = '';
+    copyCode.disabled = true;
+    origin = originOf(opened.signal);
+    void showCode();
   });
   for (const radio of menu.querySelectorAll('input[name="code"]')) {
-    radio.addEventListener('change', fill);
+    radio.addEventListener('change', () => void showCode());
   }
   copyOnClick('copy-link', () => link.value);
-  copyOnClick('copy-code', () => code.textContent ?? '');
+  const copyCode = copyOnClick('copy-code', () => code.textContent ?? '');
 }
 
-function copyOnClick(id: string, text: () => string): void {
+function copyOnClick(id: string, text: () => string): HTMLButtonElement {
   const button = onClick(id, async () => {
     try {
       await navigator.clipboard.writeText(text());
@@ -56,4 +69,5 @@ function copyOnClick(id: string, text: () => string): void {
     }, 1500);
   });
   const title = button.textContent;
+  return button;
 }
