@@ -330,6 +330,22 @@ suite('files', () => {
     assert.ok(drawn.every(([x, y]) => x >= 0 && x <= width && y >= 0 && y <= height));
   });
 
+  test('outlines are of one view: there are none if it changes meanwhile', async () => {
+    const own = await browser.open();
+    await own.evaluate((viewer) => {
+      const { project } = viewer;
+      viewer.project = (positions) => {
+        viewer.cameraOrbit = '90deg 30deg 60%';
+        const end = performance.now() + 13; // longer than a slice
+        while (performance.now() < end);
+        return project.call(viewer, positions);
+      };
+    });
+    await own.page.click('#download-button');
+    await own.page.click('#download-outlines-svg');
+    await own.page.locator('#error-text', { hasText: 'the view has changed meanwhile' }).waitFor();
+  });
+
   test('outlines end at the boundary of the mesh, which is among them', async () => {
     await own.after('load', () => own.choose({ 'grid.glb': glb(grid(4)) }));
     await own.after('diagram', () =>

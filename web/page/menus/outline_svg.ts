@@ -4,6 +4,7 @@
 
 import type { DiagramData } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../../viewer/element.js';
+import { shallowEqual } from '../../viewer/session/shallow_equal.js';
 import { Slices } from '../../viewer/stage/next_frame.js';
 
 /** A point of the surface as it is seen in the view, in CSS pixels; none if it is hidden. */
@@ -71,17 +72,25 @@ function boundaryChains({ loops, segments, points: { face } }: DiagramData): num
   return chains;
 }
 
+/** The places of points of the surface in the view, which has to stay as it is meanwhile. */
 async function seenPoints(
   viewer: GeodesicVoronoiElement,
   positions: Float64Array,
   work: Slices,
 ): Promise<SeenPoint[]> {
   const places: SeenPoint[] = [];
+  const view = viewOf(viewer);
   for (let i = 0; i < positions.length; i += 3 * pointsPerStep) {
     places.push(...viewer.project(positions.subarray(i, i + 3 * pointsPerStep)));
-    if (work.isDue) await work.next();
+    if (!work.isDue) continue;
+    await work.next();
+    if (!shallowEqual(viewOf(viewer), view)) throw new Error('the view has changed meanwhile');
   }
   return places;
+}
+
+function viewOf({ mesh, cameraOrbit, clientWidth, clientHeight }: GeodesicVoronoiElement) {
+  return { mesh, cameraOrbit, clientWidth, clientHeight };
 }
 
 function numbers({ x, y }: { x: number; y: number }): string {
