@@ -411,6 +411,30 @@ suite('files', () => {
     });
   });
 
+  test('regions in a file have the colours that they had when it was asked for', async () => {
+    const own = await browser.open();
+    const colours = () =>
+      own.evaluate((viewer) => [...viewer.regionAreas.keys()].map((i) => viewer.regionColour(i)));
+    const before = await colours();
+    await own.evaluate((viewer) => {
+      const { diagram } = viewer;
+      const { partition } = diagram;
+      diagram.partition = async () => {
+        const parts = await partition.call(diagram);
+        const drawn = new Promise((resolve) => viewer.addEventListener('diagram', resolve));
+        viewer.sites = { face: [0, 100], bary: [1, 0, 0, 1, 0, 0] };
+        await drawn;
+        return parts;
+      };
+    });
+    const { materials } = jsonOf((await own.download('parts', 'glb')).content);
+    assert.equal(
+      new Set(materials.map((m) => String(m.pbrMetallicRoughness?.baseColorFactor))).size,
+      new Set(before).size,
+    );
+    assert.notEqual((await colours()).length, before.length);
+  });
+
   test('a file has the diagram that is asked for, and that of a tessellation pauses it', async () => {
     const [coarse, fine] = ['0', '2'];
     const sizeOf = async (prepare, argument) => {

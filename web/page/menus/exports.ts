@@ -64,23 +64,21 @@ const encoders: Record<string, Record<string, Encoder>> = {
     },
   },
   parts: {
-    glb: async ({ viewer, diagram, mesh }) =>
-      encode(mediaTypes.glb, 'partitionGlb', await diagram.partition(), {
-        mesh,
-        colours: coloursOf(viewer),
-      }),
+    glb: async (source) => encode(mediaTypes.glb, 'partitionGlb', ...(await colouredParts(source))),
     obj: async ({ diagram, mesh }) =>
       encode(mediaTypes.obj, 'partitionObj', await diagram.partition(), { mesh }),
-    ply: async ({ viewer, diagram, mesh }) =>
-      encode(mediaTypes.ply, 'partitionPly', await diagram.partition(), {
-        mesh,
-        colours: coloursOf(viewer),
-      }),
+    ply: async (source) => encode(mediaTypes.ply, 'partitionPly', ...(await colouredParts(source))),
     stl: async ({ diagram }) => encode(mediaTypes.zip, 'partitionStls', await diagram.partition()),
   },
   polygons: polygonEncoders(regionPolygons),
   dual: polygonEncoders(dualPolygons),
 } satisfies { [Name in Exclude<keyof Formats, 'picture'>]: Record<Formats[Name], Encoder> };
+
+async function colouredParts({ viewer, diagram, mesh }: Source) {
+  // Now: the viewer may have another diagram by the time the parts are there.
+  const colours = coloursOf(viewer);
+  return [await diagram.partition(), { mesh, colours }] as const;
+}
 
 /** The data of a diagram that has any bisectors: a file without content is of no use. */
 async function bisectorsOf(diagram: Diagram): Promise<DiagramData> {
