@@ -7,9 +7,8 @@ import type { GeodesicVoronoiElement } from '../../viewer/element.js';
 import { maxHeaderBytes, readPlyHeader } from '../../../dist/input/ply_header.js';
 import { readPointsFile } from '../../../dist/input/points_reader.js';
 import { pointsFile } from '../../../dist/input/points_file.js';
-import { sentence } from '../../viewer/session/failure.js';
 import { byId } from '../base/dom.js';
-import { hideError, showError, showNoteOnSites } from '../base/messages.js';
+import { hideError, showError, showFailure, showNoteOnSites } from '../base/messages.js';
 import { counted, integer, measure } from '../base/numbers.js';
 import { isSame } from '../base/same_sites.js';
 
@@ -73,7 +72,7 @@ export async function openSites(viewer: GeodesicVoronoiElement, file: File): Pro
       showNoteOnSites(viewer, `${name} has the sites that are shown.`);
     else tellOfPoints(viewer, file, Math.max(0, ...distance));
   } catch (error) {
-    showError(sentence(`${name} cannot be opened as sites`, error).message);
+    showFailure(`${name} cannot be opened as sites`, error);
   }
 }
 
