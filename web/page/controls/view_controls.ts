@@ -157,10 +157,8 @@ function setUpDistance(viewer: GeodesicVoronoiElement): void {
   });
   bindAttributes(viewer, 'detail');
 
-  listen(viewer, 'load', () => {
-    const offer = () => void offerFinerTriangles(viewer);
-    viewer.addEventListener('diagram', offer, { once: true });
-  });
+  const offer = () => void offerFinerTriangles(viewer);
+  listen(viewer, 'load', () => viewer.addEventListener('diagram', offer, { once: true }));
 }
 
 /** Offers smaller triangles if those of a model are too coarse for its first diagram, and no note is shown. */

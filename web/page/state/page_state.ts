@@ -19,14 +19,11 @@ const mostSites = 2000;
 const unit = 65535;
 const bytesPerSite = 8;
 
-/** The viewer's attributes that a link keeps. */
-export const linkAttributes = [
-  ...[...samplingAttributes, ...buildAttributes],
-  ...['metric', 'detail', 'up', 'layers', 'exploded', 'camera-orbit'],
-];
-
-/** Those with values that the library may refuse; each has a field. */
+/** Attributes of the viewer with values that the library may refuse; each has a field. */
 const refusable = [...samplingAttributes, ...buildAttributes, 'metric', 'detail'];
+
+/** The attributes that a link keeps. */
+export const linkAttributes = [...refusable, 'up', 'layers', 'exploded', 'camera-orbit'];
 
 /** Those that are about one model: the next one begins without them. */
 export const ofOneModel = [...buildAttributes, 'detail', 'up', 'exploded', 'camera-orbit'];
@@ -162,7 +159,7 @@ function showSites(viewer: GeodesicVoronoiElement, text: string): void {
 }
 
 function parametersOf(hash: string): URLSearchParams {
-  return new URLSearchParams(hash.replace(/^#/, ''));
+  return new URLSearchParams(hash.slice(1));
 }
 
 function encodeSites({ face, bary }: SurfacePoints): string {
