@@ -63,6 +63,19 @@ suite('files', () => {
     assert.equal(await viewer.page.locator('#error').isVisible(), false);
   });
 
+  test('a note on sites stays while one is selected, and ends when they change', async () => {
+    const count = await viewer.siteCount();
+    await drop('two.json', '{"face":[1,2],"bary":[1,0,0,1,0,0]}');
+    const note = viewer.page.locator('#note', { hasText: 'have been replaced by the 2 points' });
+    await note.waitFor();
+    await viewer.settled();
+    await viewer.set({ selected: 1 });
+    assert.equal(await note.isVisible(), true);
+    await viewer.after('diagram', () => viewer.page.click('#note-action'));
+    assert.equal(await note.isVisible(), false);
+    assert.equal(await viewer.siteCount(), count);
+  });
+
   test('coordinates of sites are a table, which brings them back', async () => {
     const { name, content } = await viewer.download('sites', 'csv');
     assert.equal(name, 'bunny-sites.csv');

@@ -5,6 +5,7 @@
 import type { GeodesicVoronoiElement } from '../../viewer/element.js';
 import { isAbandoned, sentence } from '../../viewer/session/failure.js';
 import { byId } from './dom.js';
+import { isSame } from './same_sites.js';
 
 /**
  * Shows a note that is no error, with an action, if there is one, to do about it. Returns what hides
@@ -35,7 +36,14 @@ export function showNoteOnSites(
   ...note: Parameters<typeof showNote>
 ): () => void {
   const end = showNote(...note);
-  viewer.addEventListener('sites-change', end, { once: true });
+  const { sites } = viewer;
+  const noted = new AbortController();
+  const endIfChanged = () => {
+    if (isSame(sites, viewer.sites)) return; // only the selection is another one
+    noted.abort();
+    end();
+  };
+  viewer.addEventListener('sites-change', endIfChanged, { signal: noted.signal });
   return end;
 }
 
