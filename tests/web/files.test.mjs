@@ -326,6 +326,21 @@ suite('files', () => {
     await offline.close();
   });
 
+  test('menus that could not be fetched come with the next model', async () => {
+    const menus = /\/menus-/;
+    const own = await browser.visit({
+      complaint: /ERR_FAILED/,
+      prepare: (page) => page.route(menus, (route) => route.abort()),
+    });
+    const { page } = own;
+    const sentence = 'Downloads and links cannot be loaded: A part of this page cannot be fetched';
+    await page.locator('#error-text', { hasText: sentence }).waitFor();
+    await own.settled();
+    await page.unroute(menus);
+    await own.after('diagram', () => page.selectOption('#samples', 'torus.glb'));
+    assert.match((await own.download('sites', 'csv')).content.toString(), /^x,y,z\n/);
+  });
+
   test('outlines are what is seen of the bisectors', async () => {
     const { name, content } = await viewer.download('outlines', 'svg');
     assert.equal(name, 'bunny-outlines.svg');

@@ -8,6 +8,7 @@ import { provideModules } from '../viewer/session/library_pool.js';
 import { provideModel } from '../viewer/session/model_files.js';
 import { byId } from './base/dom.js';
 import { showFailure } from './base/messages.js';
+import { fetched } from './base/scripts.js';
 import { setUpAddress } from './state/address.js';
 import { Edits } from './state/edits.js';
 import { setUpFirstSight } from './state/first_sight.js';
@@ -62,7 +63,7 @@ export function setUpPage(modules: Promise<LoadOptions>, model: FetchedModel): v
   setUpKeyboard(viewer);
   keepFocus(viewer);
   setUpSheet();
-  viewer.addEventListener('load', () => void addMenus(viewer), { once: true });
+  addMenus(viewer);
   viewer.addEventListener('diagram', () => setTimeout(fetchTheRest, restMilliseconds), {
     once: true,
   });
@@ -78,11 +79,16 @@ function fetchTheRest(): void {
   for (const script of scripts) script.catch(() => {}); // it is tried again when it is needed
 }
 
-async function addMenus(viewer: GeodesicVoronoiElement): Promise<void> {
-  try {
-    const { setUpMenus } = await import('./menus/menus.js');
-    setUpMenus(viewer);
-  } catch (error) {
-    showFailure('Downloads and links cannot be loaded', error);
-  }
+/** Adds the menus with the next model; if they cannot be fetched then, with the one after it. */
+function addMenus(viewer: GeodesicVoronoiElement): void {
+  const add = async () => {
+    try {
+      const { setUpMenus } = await fetched(import('./menus/menus.js'));
+      setUpMenus(viewer);
+    } catch (error) {
+      showFailure('Downloads and links cannot be loaded', error);
+      addMenus(viewer);
+    }
+  };
+  viewer.addEventListener('load', () => void add(), { once: true });
 }
