@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The models among the files that a person opens: fetched with the first of these.
+// The models among the files that a person opens. This code is fetched when it is needed first.
 
 import { listModels, type ModelFiles } from 'geodesic-voronoi';
 

@@ -6,6 +6,7 @@ import type { GeodesicVoronoiElement } from '../../viewer/element.js';
 import { listen } from '../base/dom.js';
 import { modelName, notHeld } from './page_state.js';
 
+/** Tells whether sites or density were edited, as far as it would be lost. */
 export class Edits {
   readonly #viewer: GeodesicVoronoiElement;
   /** Whether there were any before the mesh was built anew: they can no longer be undone. */
