@@ -49,8 +49,8 @@ async function isWithoutFaces(file: File): Promise<boolean> {
 }
 
 /**
- * Replaces the sites by those of a file, a step to undo. Shows an error if the file has none, or
- * those of another model.
+ * Replaces the sites by those of a file, a step to undo. Shows an error if it has no list of points, or
+ * has those of another model.
  */
 export async function openSites(viewer: GeodesicVoronoiElement, file: File): Promise<void> {
   hideError();
@@ -70,7 +70,12 @@ export async function openSites(viewer: GeodesicVoronoiElement, file: File): Pro
     viewer.sites = present(sites);
     if (isSame(before, viewer.sites))
       showNoteOnSites(viewer, `${name} has the sites that are shown.`);
-    else tellOfPoints(viewer, file, Math.max(0, ...distance));
+    else
+      tellOfPoints(
+        viewer,
+        file,
+        distance.reduce((most, d) => Math.max(most, d), 0),
+      );
   } catch (error) {
     showFailure(`${name} cannot be opened as sites`, error);
   }

@@ -9,8 +9,8 @@ import { hexagonEnergy } from '../../viewer/session/hexagon_energy.js';
 import type { CvtReadings } from '../readings/cvt_readings.js';
 import { byId, listen } from '../base/dom.js';
 import { showFailure } from '../base/messages.js';
-import { modelOf } from '../samples/first_model.js';
-import { isPageState, readPageState } from './page_state.js';
+import { isSample, modelOf } from '../samples/first_model.js';
+import { isPageState, modelName, readPageState } from './page_state.js';
 import { isSame } from '../base/same_sites.js';
 
 /** Opens a shared link as it was; without one, a sample plays once. */
@@ -18,6 +18,7 @@ export function setUpFirstSight(viewer: GeodesicVoronoiElement, readings: CvtRea
   enableWithModel(viewer);
   endCaption(viewer);
   const play = () => {
+    if (!isSample(modelName(viewer))) return; // a file was opened before there was anything to play
     evenOut(viewer, readings).catch((error) => showFailure('Regions cannot be evened out', error));
   };
   viewer.src = modelOf(location.hash);

@@ -76,10 +76,10 @@ export class DiagramSummary {
       labels.push(left, right);
       segments.push(this.#segments[arc]);
     }
-    labels.push(...part.arcs.labels);
-    segments.push(...segmentCounts(part));
+    for (const label of part.arcs.labels) labels.push(label);
+    for (const count of segmentCounts(part)) segments.push(count);
     const around = this.#around().filter((each) => !each.some((label) => isChanged[label] > 0));
-    around.push(...labelsAround(part));
+    for (const each of labelsAround(part)) around.push(each);
     return new DiagramSummary(regionArea, labels, segments, around.length, () => around);
   }
 }
