@@ -887,6 +887,27 @@ suite('attributes and events', () => {
     assert.equal(await poster.evaluate(({ hidden }) => hidden), true);
   });
 
+  test('a poster that cannot be had is asked for once, however often sites change', async () => {
+    const requests = [];
+    const viewer = await browser.open({
+      path: 'one.html',
+      complaint: /404/,
+      prepare: (page) => page.on('request', (request) => requests.push(request.url())),
+    });
+    const fetched = viewer.page.waitForResponse(/poster/);
+    await viewer.set({ poster: '/nowhere/poster' });
+    await fetched;
+    for (const face of [10, 20])
+      await viewer.after('diagram', () =>
+        viewer.evaluate((viewer, face) => viewer.moveSite(0, { face, bary: [1, 0, 0] }), face),
+      );
+    assert.equal(requests.filter((address) => address.endsWith('poster')).length, 1);
+    await viewer.set({ poster: '' });
+    await viewer.drawn();
+    const image = viewer.page.locator('geodesic-voronoi .poster img');
+    assert.equal(await image.getAttribute('src'), null);
+  });
+
   test('a model that cannot be had says so in its place, until there is one', async () => {
     const viewer = await emptyPage({ complaint: /404/ });
     const error = await viewer.page.evaluate(() => {

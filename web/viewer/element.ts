@@ -79,6 +79,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
   connectedCallback(): void {
     if (this.#shadow) return;
     this.#shadow = new ElementShadow(this);
+    this.#shadow.poster = this.poster;
     this.#describe();
     this.#stopWatching = watchNearness(this, (isNear) => {
       if (isNear) this.#start();
@@ -409,13 +410,14 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     const selection =
       selected < 0 ? '' : `; site ${selected} is selected, of ${this.sites.face.length}`;
     this.#shadow.describe(attributeValues.label + selection, instructionsOf(attributeValues));
-    this.#shadow.poster = this.poster;
   }
 
   #applyAttributes(): void {
     const changed = new Set(this.#changedAttributes);
     this.#changedAttributes.clear();
     this.#describe();
+    // Not with each change of a site: browsers ask for a picture that they do not have whenever it is set.
+    if (changed.has('poster') && this.#shadow) this.#shadow.poster = this.poster;
     this.#showPoster();
     if (changed.has('loading') && this.loading === 'eager') this.#start();
     const viewer = this.#viewer;
