@@ -408,7 +408,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     if (!this.#shadow) return;
     const { attributeValues, selected } = this;
     const selection =
-      selected < 0 ? '' : `; site ${selected} is selected, of ${this.sites.face.length}`;
+      selected < 0 ? '' : `; site ${selected} is selected, of ${this.#session?.sites.length}`;
     this.#shadow.describe(attributeValues.label + selection, instructionsOf(attributeValues));
   }
 
