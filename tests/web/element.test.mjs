@@ -86,6 +86,9 @@ const browser = await browserForTests({
   ),
   '/empty.html': page(''),
   '/pentagon.obj': { html: 'v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 2 0\nv 0 1 0\nf 1 2 3 4 5\n' },
+  '/inside-out.obj': {
+    html: `v -1 -1 -1\nv 1 -1 1\nv -1 1 1\nv 1 1 -1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n`,
+  },
   '/article.html': page(`<geodesic-voronoi ${model}></geodesic-voronoi>${longText}`),
   '/import-map.html': byImportMap(`<geodesic-voronoi ${model}></geodesic-voronoi>`),
   '/unplaced.html': byImportMap(`<geodesic-voronoi ${model} sampling="none"></geodesic-voronoi>`),
@@ -421,6 +424,18 @@ suite('assistive technology', () => {
 });
 
 suite('attributes and events', () => {
+  test('a hidden site that is selected is turned to the front, also of a solid turned inside out', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
+    await viewer.after('diagram', () => viewer.set({ src: '/inside-out.obj' }));
+    const seen = await viewer.evaluate((viewer) =>
+      [...viewer.sites.face.keys()].map((index) => {
+        viewer.selected = index;
+        return viewer.sitePosition(index) !== undefined;
+      }),
+    );
+    assert.deepEqual(seen, Array(12).fill(true));
+  });
+
   test('an edit without a model is refused, in a sentence', async () => {
     const viewer = await emptyPage();
     const refusals = await viewer.page.evaluate(async () => {

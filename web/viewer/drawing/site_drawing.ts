@@ -87,9 +87,13 @@ export class SiteDrawing {
 
   /** Whether a site lies on the far side of a closed surface: what is seen of it faces inwards. */
   isTurnedAway(index: number, camera: Camera): boolean {
-    const normal = new Vector3().fromArray(this.#normals, 3 * index);
     const view = new Vector3().setFromMatrixPosition(camera.matrixWorld).sub(this.place(index));
-    return this.#front * normal.dot(view) < 0;
+    return this.#front !== 0 && this.seenFrom(index).dot(view) < 0;
+  }
+
+  /** The direction from which a site is seen: outwards, also where a closed surface's normals point inwards. */
+  seenFrom(index: number): Vector3 {
+    return new Vector3().fromArray(this.#normals, 3 * index).multiplyScalar(this.#front || 1);
   }
 
   place(index: number): Vector3 {

@@ -2,7 +2,6 @@
 //
 // The selected site, and what keys do with it.
 
-import { Vector3 } from 'three';
 import type { OpenModel } from '../model/open_model.js';
 import type { Session } from '../session/session.js';
 import type { SitePlace, Sites } from '../session/site_history.js';
@@ -45,9 +44,7 @@ export class SiteSelection {
     const site = session.sites[index];
     this.select(site?.id);
     if (!model || !site || this.#owner.sitePosition(index)) return;
-    const normal = new Float32Array(3);
-    model.drawing.mesh.writeNormal(site.face, site.bary, normal, 0);
-    stage.camera.lookAgainst(new Vector3().fromArray(normal));
+    stage.camera.lookAgainst(model.drawing.sites.seenFrom(index));
   }
 
   /** Selects a site by its identity. */
