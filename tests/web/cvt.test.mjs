@@ -114,6 +114,23 @@ suite('the centroidal tessellation', () => {
     assert.equal(await viewer.evaluate(({ cvtStatus }) => cvtStatus), 'paused');
   });
 
+  test('a density that is undone before the first iteration leaves the sites as they are', async () => {
+    const count = 5;
+    await viewer.after('diagram', () =>
+      viewer.evaluate((viewer, count) => {
+        viewer.sites = {
+          face: [...Array(count).keys()],
+          bary: Array(count).fill([0.3, 0.3, 0.4]).flat(),
+        };
+        viewer.density = new Float64Array(viewer.info.inputVertices).fill(10);
+        viewer.playCvt();
+        viewer.undo();
+      }, count),
+    );
+    assert.equal(await viewer.siteCount(), count);
+    assert.equal(await viewer.evaluate(({ diagram }) => diagram.sites.face.length), count);
+  });
+
   test('ends where iterations gain no more than asked for', async () => {
     await viewer.page.selectOption('#cvt-tolerance', '0.01');
     await viewer.after('diagram', () => press('#cvt-play'));

@@ -280,11 +280,13 @@ export class Session {
   /** A step back or forth: it changes the sites or the density. */
   #step(take: () => void): void {
     const { present: sites, tints } = this.#history;
+    // A tessellation that ends before its first iteration leaves the present sites without a diagram.
+    const { isPlaying } = this.#cvt;
     this.#cvt.stop();
     take();
     if (this.#history.tints !== tints) this.#listener.densityChanged(this.#history.tints);
     this.#listener.sitesChanged();
-    if (this.sites !== sites) this.#request();
+    if (isPlaying || this.sites !== sites) this.#request();
   }
 
   /** Replaces the sites, a step to undo unless they are where they were, as those sampled once more. */
