@@ -233,6 +233,36 @@ suite('many elements', () => {
     assert.equal(await viewer.regionCount(), 12, 'until it is asked for');
   });
 
+  test('what is far from the view is not drawn, whatever becomes of it', async () => {
+    const viewer = await emptyPage({
+      prepare: (page) =>
+        page.addInitScript(() => {
+          window.drawCalls = 0;
+          const { prototype } = WebGL2RenderingContext;
+          for (const name of Object.keys(prototype).filter((name) => /^draw(El|Ar)/.test(name))) {
+            const draw = prototype[name];
+            prototype[name] = function (...values) {
+              ++window.drawCalls;
+              draw.apply(this, values);
+            };
+          }
+        }),
+    });
+    await viewer.page.evaluate((html) => {
+      document.body.innerHTML = html;
+      return new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve, 200)));
+    }, `${longText}<geodesic-voronoi loading="lazy" sites="12"></geodesic-voronoi>`);
+    await viewer.evaluate((viewer) => viewer.load('/samples/torus.glb'));
+    await viewer.settled();
+    await viewer.evaluate((viewer) => void (viewer.style.width = '350px'));
+    await viewer.drawn();
+    assert.equal(await viewer.page.evaluate(() => window.drawCalls), 0);
+    await viewer.page.locator('geodesic-voronoi').scrollIntoViewIfNeeded();
+    await viewer.drawn();
+    assert.ok((await drawnShare(viewer, 0)) > 0.1);
+    assert.ok((await viewer.page.evaluate(() => window.drawCalls)) > 0);
+  });
+
   test('a hundred that come and go leave no worker, context or listener', async () => {
     const viewer = await emptyPage({
       prepare: (page) => page.addInitScript(countListeners),

@@ -68,6 +68,8 @@ export class GeodesicVoronoiElement extends ReflectingElement {
   /** There while the element is in a document and, if it is lazy, has been near the view. */
   #viewer: Viewer | undefined;
   #stopWatching = () => {};
+  /** Until the browser has told, every element may be near the view. */
+  #isNear = true;
   #isDismissed = false;
 
   constructor() {
@@ -82,6 +84,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     this.#shadow.poster = this.poster;
     this.#describe();
     this.#stopWatching = watchNearness(this, (isNear) => {
+      this.#isNear = isNear;
       if (isNear) this.#start();
       if (this.#viewer) this.#viewer.stage.inView = isNear;
     });
@@ -347,6 +350,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
         contextLost: () => emit('error', { type: 'webglcontextlost', message: contextLost }),
         contextRestored: () => (shadow.isContextLost = false),
       });
+      this.#viewer.stage.inView = this.#isNear;
     } catch (error) {
       this.setAttribute('status', 'failed');
       const isMissing = error instanceof NoWebGlError;

@@ -59,13 +59,14 @@ export class Stage {
     this.#drawing ||= requestAnimationFrame(() => {
       this.#drawing = 0;
       this.camera.glide();
-      this.draw();
+      this.#draw();
     });
   }
 
-  draw(): void {
-    this.#isOutdated = false;
-    if (this.camera.size.width > 0) this.#renderer.draw(this.#view(1), this.#picture);
+  #draw(): void {
+    this.#isOutdated = !this.#isInView;
+    if (this.#isOutdated || this.camera.size.width === 0) return;
+    this.#renderer.draw(this.#view(1), this.#picture);
   }
 
   /** Resolves when an object's shaders are compiled, so that it can be drawn at once. */
@@ -89,7 +90,7 @@ export class Stage {
   resize(width: number, height: number, padding: Padding): void {
     if (width === 0 || height === 0) return;
     this.camera.resize(width, height, padding);
-    this.draw();
+    this.#draw();
   }
 
   add(object: Object3D): void {
