@@ -359,6 +359,8 @@ suite('the page around it', () => {
     await viewer.page.mouse.click(x, y);
     await viewer.page.mouse.wheel(0, 60);
     await viewer.page.waitForFunction(() => scrollY === 60);
+    const hint = await viewer.page.locator('geodesic-voronoi .hint.shown').textContent();
+    assert.equal(hint, 'Hold Ctrl and scroll to zoom', 'a click does not help');
   });
 
   test('a finger scrolls the page until the model has been tapped', async () => {

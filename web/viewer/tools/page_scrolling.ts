@@ -18,8 +18,8 @@ export class PageScrolling {
 
   /**
    * Must be made before the camera's controls; ends with the signal. `touchAction` returns the choice of
-   * the page's author, if any; `hint` gets a sentence on how to reach the camera when the page has
-   * scrolled instead.
+   * the page's author, if any, which no click or tap changes; `hint` gets a sentence on how to reach the
+   * camera when the page has scrolled instead.
    */
   constructor(
     canvas: HTMLCanvasElement,
@@ -39,7 +39,8 @@ export class PageScrolling {
       (event) => {
         if (event.ctrlKey || this.#isOfCamera) return;
         event.stopImmediatePropagation();
-        hint('Click the model, then scroll to zoom');
+        const isForGood = touchAction() !== undefined;
+        hint(`${isForGood ? 'Hold Ctrl and' : 'Click the model, then'} scroll to zoom`);
       },
       { capture: true, passive: true },
     );
@@ -51,7 +52,9 @@ export class PageScrolling {
       { passive: false },
     );
     listen('pointercancel', ({ pointerType }) => {
-      if (pointerType === 'touch') hint('Tap the model, or use two fingers');
+      const isForGood = touchAction() !== undefined;
+      if (pointerType === 'touch')
+        hint(isForGood ? 'Use two fingers' : 'Tap the model, or use two fingers');
     });
     listen('focus', () => this.update());
     listen('blur', () => this.update());
