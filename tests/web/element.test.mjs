@@ -85,6 +85,12 @@ const browser = await browserForTests({
     `<meta name="color-scheme" content="light dark" />${standalone}`,
   ),
   '/empty.html': page(''),
+  '/unaddressed.gltf': {
+    html: JSON.stringify({
+      asset: { version: '2.0' },
+      buffers: [{ uri: 'http://[', byteLength: 1 }],
+    }),
+  },
   '/pentagon.obj': { html: 'v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 2 0\nv 0 1 0\nf 1 2 3 4 5\n' },
   '/inside-out.obj': {
     html: `v -1 -1 -1\nv 1 -1 1\nv -1 1 1\nv 1 1 -1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n`,
@@ -810,6 +816,10 @@ suite('attributes and events', () => {
       viewer.evaluate((viewer) => viewer.load('http://[')),
     );
     assert.equal(message, '“http://[” is not an address.');
+    const unaddressed = await viewer.after('error', () =>
+      viewer.evaluate((viewer) => viewer.load('/unaddressed.gltf')),
+    );
+    assert.equal(unaddressed.message, '“http://[” is not an address beside a model at “http:…”.');
     const refusal = await viewer.after('error', () =>
       viewer.evaluate((viewer) => viewer.sampleSites(-5)),
     );

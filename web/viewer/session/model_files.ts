@@ -78,17 +78,18 @@ export async function fetchModelFiles(
   const bytes = await fetchBytes(url, signal, onProgress);
   const files: ModelFiles = { [name]: bytes };
   for (const uri of gltfResourceUris(bytes)) {
-    files[uri] = await fetchBytes(new URL(uri, url), signal);
+    files[uri] = await fetchBytes(urlOf(uri, url), signal);
   }
-  const fetchBeside = (uri: string) => fetchBytes(new URL(uri, url), new AbortController().signal);
+  const fetchBeside = (uri: string) => fetchBytes(urlOf(uri, url), new AbortController().signal);
   return { name, files, file: url.hash ? decoded(url.hash.slice(1)) : undefined, fetchBeside };
 }
 
-function urlOf(address: string): URL {
+function urlOf(address: string, base: string | URL = document.baseURI): URL {
   try {
-    return new URL(address, document.baseURI);
+    return new URL(address, base);
   } catch {
-    throw new Error(`“${address}” is not an address.`);
+    const beside = base instanceof URL ? ` beside a model at “${base.protocol}…”` : '';
+    throw new Error(`“${address}” is not an address${beside}.`);
   }
 }
 
@@ -106,7 +107,9 @@ function byPath(files: [string, File][]): ModelFiles {
 async function filesIn(entry: FileSystemEntry | null): Promise<[string, File][]> {
   if (entry?.isFile) {
     const file = await new Promise<File>((done, fail) =>
-      (entry as FileSystemFileEntry).file(done, fail),
+      (entry as FileSystemFileEntry).file(done, (cause) =>
+        fail(sentence(`The file ${entry.name} cannot be read`, cause)),
+      ),
     );
     return [[entry.fullPath.slice(1), file]];
   }
