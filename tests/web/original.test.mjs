@@ -189,6 +189,21 @@ test('textures and vertex colours are shown where the file has them', async () =
   assert.equal(await note.isHidden(), true);
 });
 
+test('an unlit material is drawn like any other', async () => {
+  const viewer = await browser.open();
+  const { buffers, ...json } = JSON.parse(square());
+  const normals = Float32Array.from(corners.flatMap(() => [0, 0, 1]));
+  const uri = `data:;base64,${Buffer.from(normals.buffer).toString('base64')}`;
+  const bufferView = json.bufferViews.push({ buffer: buffers.length, byteLength: 48 }) - 1;
+  buffers.push({ byteLength: 48, uri });
+  const accessor = { bufferView, componentType: 5126, count: 4, type: 'VEC3' };
+  json.meshes[0].primitives[0].attributes.NORMAL = json.accessors.push(accessor) - 1;
+  json.materials[0].extensions = { KHR_materials_unlit: {} };
+  const unlit = JSON.stringify({ ...json, buffers, extensionsUsed: ['KHR_materials_unlit'] });
+  const colours = await shown(viewer, { 'unlit.gltf': unlit });
+  assert.deepEqual(colours, { isFound: true, textures: 1 });
+});
+
 test('bisectors are seen on a surface of any colour', async () => {
   const viewer = await browser.open({
     viewport: { width: 1100, height: 420 },

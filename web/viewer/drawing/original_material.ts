@@ -79,8 +79,16 @@ export async function originalMaterial(
 
 /** Gives a part the lighting of the other layers. Skins are not posed, as in the library's mesh. */
 function plainly(part: Mesh): Mesh {
-  const { color, map, vertexColors, transparent, opacity, alphaTest, flatShading } =
-    part.material as MeshStandardMaterial;
+  // Unlit materials have no flat shading.
+  const {
+    color,
+    map,
+    vertexColors,
+    transparent,
+    opacity,
+    alphaTest,
+    flatShading = false,
+  } = part.material as MeshStandardMaterial;
   const material = new MeshLambertMaterial({
     ...{ color, map, vertexColors, transparent, opacity, alphaTest, flatShading },
     side: DoubleSide,
