@@ -686,6 +686,27 @@ suite('attributes and events', () => {
     assert.equal(fetched, 1, 'only the worker needs that script');
   });
 
+  test('without the worker that prepares drawings, a sentence says why some do not come', async () => {
+    const viewer = await browser.open({
+      path: 'one.html',
+      prepare: (page) =>
+        page.addInitScript(() => {
+          window.Worker = class extends Worker {
+            constructor(url, options) {
+              super(url, options);
+              if (options.name === 'geodesic-voronoi-drawing') window.drawingWorker = this;
+            }
+          };
+        }),
+    });
+    await viewer.page.evaluate(() => window.drawingWorker.dispatchEvent(new ErrorEvent('error')));
+    const { type, message } = await viewer.after('error', () => viewer.set({ exploded: 0.5 }));
+    assert.equal(type, 'computefailure');
+    assert.match(message, /^The exploded view cannot be drawn: the worker .* has stopped/);
+    const further = await viewer.after('error', () => viewer.set({ layers: ['distances'] }));
+    assert.match(further.message, /^The distances cannot be drawn: the worker .* has stopped/);
+  });
+
   test('a library that stops is followed by another: model, sites and density are there', async () => {
     const viewer = await browser.open({
       path: 'import-map.html',

@@ -19,7 +19,7 @@ const worker = new PortedWorker(
 
 /**
  * Makes what is drawn of one mesh, or files of pictures, in a worker, which all elements share.
- * Results are undefined if the worker has stopped: the caller has to make them then.
+ * Results are undefined if the worker has stopped: the caller has to make them then, or to say so.
  */
 export class DrawingBuilder {
   readonly #port = worker.open(() => this.dispose());

@@ -45,6 +45,10 @@ interface Dual {
 /** In milliseconds, how long a site that is dragged rests before the drawings follow. */
 const dragRest = 150;
 
+function workerStopped(): Error {
+  return new Error('the worker that prepares drawings has stopped; open the model once more');
+}
+
 export class DerivedDrawings {
   readonly #place: DrawingPlace;
   readonly #emit: Emit;
@@ -123,11 +127,13 @@ export class DerivedDrawings {
   async #makeParts(diagram: Diagram, signal: AbortSignal): Promise<Parts | undefined> {
     const partition = await diagram.partition({ signal });
     const { model, stage } = this.#place;
+    if (!model) return undefined;
+    const { builder, drawing } = model;
     const regions = partition.regions.area.length;
-    const triangles = await model?.builder.parts(partition, model.drawing.tones);
+    const triangles = await builder.parts(partition, drawing.tones);
     signal.throwIfAborted();
-    if (!model || !triangles) return undefined;
-    const parts = model.drawing.exploded.prepare(triangles);
+    if (!triangles) throw workerStopped();
+    const parts = drawing.exploded.prepare(triangles);
     for (let isFirst = true; parts.uploadMore(); isFirst = false) {
       if (isFirst) await stage.compile(parts.object);
       stage.invalidate();
@@ -164,7 +170,9 @@ export class DerivedDrawings {
       atPoints: atPoints.distance,
       atVertices,
     });
-    return triangles && { triangles, scale: distanceScale(longest) };
+    signal.throwIfAborted();
+    if (!triangles) throw workerStopped();
+    return { triangles, scale: distanceScale(longest) };
   }
 
   #showDistances(distances: DrawnDistances | undefined): void {
