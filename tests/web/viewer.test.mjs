@@ -420,6 +420,13 @@ suite('corner normals', () => {
   });
 });
 
+test('a face with a corner that is no number does not shade those around it', () => {
+  const positions = Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, NaN, -1, 0.1);
+  const indices = Int32Array.of(0, 1, 2, 1, 0, 3);
+  const { normals } = sceneArrays({ positions, indices });
+  assert.deepEqual([...normals.subarray(0, 9)], [0, 0, 1, 0, 0, 1, 0, 0, 1]);
+});
+
 suite('energy of hexagons', () => {
   const square = ({ positions, indices }) => ({
     positions: Float64Array.from(positions),

@@ -39,7 +39,7 @@ export function sceneArrays({
     scale: frame.scale,
     positions: placed,
     indices: faces,
-    normals: cornerNormals(placed, indices),
+    normals: cornerNormals(placed, faces),
     cornerPositions: cornerPositions(placed, faces),
     surfaceDensity: surfaceDensity({ positions: placed, indices: faces }),
   };
