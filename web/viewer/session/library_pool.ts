@@ -32,10 +32,10 @@ export class LibraryLease {
   readonly #shared: Shared;
   #isOver = false;
 
-  /** Takes the library with the fewest users; starts another if all are used and more may run. */
+  /** Starts a library while more may run; otherwise takes the one with the fewest users. */
   constructor() {
     const [idlest] = [...pool].sort((a, b) => a.users - b.users);
-    this.#shared = idlest && (idlest.users === 0 || pool.size >= mostWorkers) ? idlest : started();
+    this.#shared = pool.size < mostWorkers ? started() : idlest;
     ++this.#shared.users;
   }
 
