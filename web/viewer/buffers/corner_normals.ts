@@ -3,6 +3,7 @@
 // Normals for shading, with creases.
 
 import { cornersByPlace, firstAtPlace } from './places.js';
+import { vectorLength } from './vector_length.js';
 
 /** Faces that meet at a sharper angle than this are shaded as an edge, others as one smooth surface. */
 const creaseCosine = Math.cos((40 * Math.PI) / 180);
@@ -38,7 +39,7 @@ export function cornerNormals(positions: Float32Array, indices: Int32Array): Flo
       y += weight * otherY;
       z += weight * otherZ;
     }
-    const length = Math.hypot(x, y, z);
+    const length = vectorLength(x, y, z);
     normals[3 * corner] = length > 0 ? x / length : ownX;
     normals[3 * corner + 1] = length > 0 ? y / length : ownY;
     normals[3 * corner + 2] = length > 0 ? z / length : ownZ;
@@ -62,7 +63,7 @@ function normalsOfFaces(positions: Float32Array, indices: Int32Array): Float32Ar
     const x = uy * vz - uz * vy;
     const y = uz * vx - ux * vz;
     const z = ux * vy - uy * vx;
-    const length = Math.hypot(x, y, z);
+    const length = vectorLength(x, y, z);
     if (!(length > 0)) continue;
     normals[i] = x / length;
     normals[i + 1] = y / length;

@@ -2,6 +2,8 @@
 //
 // The amount of surface near every place of the scene, by which `occlusion.ts` darkens hollows.
 
+import { vectorLength } from './vector_length.js';
+
 /** Cells of the grid along each axis; it holds the unit sphere and a margin. */
 export const resolution = 64;
 export const halfWidth = 1.15;
@@ -54,9 +56,9 @@ function areaPerCell({ positions, indices }: Triangles): Float32Array {
     });
     const [ux, uy, uz] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
     const [vx, vy, vz] = [c[0] - a[0], c[1] - a[1], c[2] - a[2]];
-    const area = Math.hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx) / 2;
+    const area = vectorLength(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx) / 2;
     if (!(area > 0)) continue;
-    const longest = Math.max(Math.hypot(ux, uy, uz), Math.hypot(vx, vy, vz));
+    const longest = Math.max(vectorLength(ux, uy, uz), vectorLength(vx, vy, vz));
     const n = Math.ceil(longest / cell);
     const share = area / (n * n);
     for (let row = 0; row < n; ++row) {
@@ -75,7 +77,7 @@ function areaPerCell({ positions, indices }: Triangles): Float32Array {
 
 /** Shares an amount among the eight cells around a point. */
 function splat(grid: Float32Array, amount: number, x: number, y: number, z: number): void {
-  const [gx, gy, gz] = [x, y, z].map((p) => (p + halfWidth) / cell - 0.5);
+  const [gx, gy, gz] = [placeInGrid(x), placeInGrid(y), placeInGrid(z)];
   const [i, j, k] = [Math.floor(gx), Math.floor(gy), Math.floor(gz)];
   for (let corner = 0; corner < 8; ++corner) {
     const [di, dj, dk] = [corner & 1, (corner >> 1) & 1, corner >> 2];
@@ -83,6 +85,11 @@ function splat(grid: Float32Array, amount: number, x: number, y: number, z: numb
       (di ? gx - i : 1 - gx + i) * (dj ? gy - j : 1 - gy + j) * (dk ? gz - k : 1 - gz + k);
     grid[i + di + resolution * (j + dj + resolution * (k + dk))] += weight * amount;
   }
+}
+
+/** In cells, from the centre of the first one. */
+function placeInGrid(coordinate: number): number {
+  return (coordinate + halfWidth) / cell - 0.5;
 }
 
 /**
