@@ -40,7 +40,12 @@ export class DensityPaint {
 
   /** Per input vertex; undefined if nothing is painted. */
   get density(): Float64Array | undefined {
-    return this.tints && Float64Array.from(this.#tints, (tint) => greatestDensity ** tint);
+    if (!this.tints) return undefined;
+    const density = new Float64Array(this.#tints.length).fill(1);
+    this.#tints.forEach((tint, v) => {
+      if (tint !== 0) density[v] = greatestDensity ** tint;
+    });
+    return density;
   }
 
   set density(density: ArrayLike<number> | undefined) {
