@@ -326,6 +326,17 @@ suite('the centroidal tessellation', () => {
     assert.equal(await viewer.evaluate(({ density }) => density), undefined);
   });
 
+  test('a brush of negative density paints as little as there can be', async () => {
+    const least = await viewer.evaluate((viewer) => {
+      viewer.setAttribute('tool', 'density');
+      viewer.setAttribute('brush-density', '-5');
+      viewer.refit();
+      for (let dab = 0; dab < 20; ++dab) viewer.perform('place');
+      return Math.min(...viewer.density);
+    });
+    assert.ok(least >= 1e-3 && least < 0.1, `${least}`);
+  });
+
   test('a stroke that another model ends is not one on that', async () => {
     const { x, y } = await viewer.freePlace();
     await viewer.evaluate((viewer) => viewer.setAttribute('tool', 'density'));

@@ -134,7 +134,7 @@ export class Attributes {
   get brush(): Brush {
     return {
       radius: this.#number('brush-size') / 100,
-      density: this.#number('brush-density'),
+      density: Math.max(0, this.#number('brush-density')),
     };
   }
 
