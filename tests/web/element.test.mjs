@@ -614,6 +614,21 @@ suite('attributes and events', () => {
     assert.ok(await message.isHidden());
   });
 
+  test('a model that cannot be made as its attributes ask is made once they ask for something else', async () => {
+    const viewer = await emptyPage();
+    await viewer.evaluate(() => {
+      const element = document.createElement('geodesic-voronoi');
+      Object.assign(element, { src: '/samples/torus.glb', sites: 7 });
+      element.setAttribute('orientation', 'foo');
+      document.body.append(element);
+    });
+    await viewer.page.waitForFunction(() => document.querySelector('[status="failed"]'));
+    await viewer.after('diagram', () =>
+      viewer.evaluate((viewer) => viewer.setAttribute('orientation', 'keep')),
+    );
+    assert.equal(await viewer.regionCount(), 7);
+  });
+
   test('properties may be set before the script has come', async () => {
     const viewer = await browser.visit({ path: 'early.html' });
     await viewer.page.waitForFunction(

@@ -54,7 +54,7 @@ export class Viewer implements Workpiece {
   readonly #emit: Emit;
   readonly #gestures: PointerGestures;
   #model: OpenModel | undefined;
-  /** What the model is read from, also while it is opened. */
+  /** What is being opened; after that, what is shown, or could not be opened if nothing is. */
   #read: Reader | undefined;
   /** What the model that is shown was read from. */
   #readShown: Reader | undefined;
@@ -166,7 +166,7 @@ export class Viewer implements Workpiece {
       opening = this.#opening;
       isOpen = await opening;
     } while (opening !== this.#opening && read === this.#read);
-    if (!isOpen && read === this.#read) this.#read = this.#readShown;
+    if (!isOpen && read === this.#read) this.#read = this.#readShown ?? read;
     return isOpen;
   }
 
