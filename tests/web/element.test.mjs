@@ -1053,6 +1053,18 @@ suite('attributes and events', () => {
     assert.equal(moved.orbit, '30deg 75deg 120%');
   });
 
+  test('where sites are seen is known as soon as the camera has moved', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
+    const [before, after] = await viewer.evaluate(async (viewer) => {
+      const seen = () => [...viewer.sites.face.keys()].filter((i) => viewer.sitePosition(i)).length;
+      const before = seen();
+      viewer.cameraOrbit = viewer.cameraOrbit.replace('100%', '400%');
+      await null; // Attributes take effect together, after the code that sets them.
+      return [before, seen()];
+    });
+    assert.ok(before > 0 && after > 0, `${before} and ${after}`);
+  });
+
   test('a model that is not seen from the first direction fits a view of another shape, too', async () => {
     const viewer = await browser.open({ path: 'one.html' });
     await viewer.after('camera-change', () => viewer.set({ cameraOrbit: '30deg 75deg 120%' }));

@@ -118,6 +118,7 @@ export class Stage {
    */
   projection(): (point: Vector3) => { x: number; y: number } | undefined {
     const { object: camera } = this.camera;
+    this.camera.fitDepthRange(); // or what is far away now would count as behind the camera
     camera.updateMatrixWorld();
     const box = this.canvas.getBoundingClientRect();
     const device = new Vector3();
