@@ -2,7 +2,7 @@
 //
 // The files of a model, as a person gives them: chosen, dropped, or by an address.
 
-import { gltfResourceUris, type ModelFiles } from 'geodesic-voronoi';
+import { gltfResourceUris, type ModelFiles, type TaskOptions } from 'geodesic-voronoi';
 import { sentence } from './failure.js';
 
 /** Files, and a name for them until the model is found among them. */
@@ -15,11 +15,7 @@ export interface NamedFiles {
   fetchBeside?: (uri: string) => Promise<Uint8Array>;
 }
 
-/** How work is ended, and what is told the share that is done. */
-export interface Task {
-  signal: AbortSignal;
-  onProgress: (share: number) => void;
-}
+export type Task = Required<TaskOptions>;
 
 /** What a caller gives as files, and a list of them as a copy: the one of a page's input is emptied. */
 export function givenFiles(files: File | Iterable<File> | ModelFiles): File[] | ModelFiles {
