@@ -34,7 +34,7 @@ export class OpenModel {
     this.drawing = new ModelDrawing(scene);
     this.drawing.theme = theme;
     const { boundaryLoops, components, repairs } = mesh.info;
-    // The only ones of which it is certain that their back is never seen.
+    // Only of a closed surface in one piece, with no triangle turned over, is the inside certainly never seen.
     if (boundaryLoops === 0 && components === 1 && repairs.flippedTriangles === 0)
       this.drawing.front = Math.sign(scene.sixfoldVolume);
     this.picker = new Picker(scene, builder.tree());
