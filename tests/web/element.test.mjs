@@ -97,6 +97,16 @@ const browser = await browserForTests({
   },
   '/article.html': page(`<geodesic-voronoi ${model}></geodesic-voronoi>${longText}`),
   '/import-map.html': byImportMap(`<geodesic-voronoi ${model}></geodesic-voronoi>`),
+  '/coloured.html': byImportMap('<geodesic-voronoi src="/coloured.ply"></geodesic-voronoi>'),
+  '/coloured.ply': {
+    html: [
+      ...['ply', 'format ascii 1.0', 'element vertex 3'],
+      ...['x', 'y', 'z'].map((axis) => `property float ${axis}`),
+      ...['red', 'green', 'blue'].map((channel) => `property uchar ${channel}`),
+      ...['element face 1', 'property list uchar int vertex_indices', 'end_header'],
+      ...['0 0 0 255 0 0', '1 0 0 255 0 0', '0 1 0 255 0 0', '3 0 1 2', ''],
+    ].join('\n'),
+  },
   '/unplaced.html': byImportMap(`<geodesic-voronoi ${model} sampling="none"></geodesic-voronoi>`),
 });
 
@@ -699,6 +709,32 @@ suite('attributes and events', () => {
       return names.filter((name) => name.endsWith('/scene_arrays.js')).length;
     });
     assert.equal(fetched, 1, 'only the worker needs that script');
+  });
+
+  test('colours of a PLY file that are being read end with its model', async () => {
+    const viewer = await browser.open({
+      path: 'coloured.html',
+      prepare: (page) =>
+        page.addInitScript(() => {
+          // The worker never gets to read them.
+          window.asked = new Promise((asked) => {
+            const { postMessage } = MessagePort.prototype;
+            MessagePort.prototype.postMessage = function (message, ...options) {
+              if (message.name === 'ply') asked();
+              else postMessage.call(this, message, ...options);
+            };
+          });
+        }),
+    });
+    const fetched = await viewer.evaluate(async (viewer) => {
+      viewer.layers = ['original'];
+      await window.asked;
+      await viewer.load('/samples/torus.glb');
+      await fetch('/icon.svg'); // what was asked for before is there, too
+      const names = performance.getEntriesByType('resource').map(({ name }) => name);
+      return names.filter((name) => name.endsWith('/ply_surface.js')).length;
+    });
+    assert.equal(fetched, 0, 'nothing reads them on the page');
   });
 
   test('without the worker that prepares drawings, a sentence says why some do not come', async () => {

@@ -35,11 +35,15 @@ export interface OriginalMaterial {
 /** Reads a file that the model refers to. */
 type Resource = (uri: string) => Promise<Uint8Array | undefined>;
 
-/** Undefined if the file gives its surface no colours. Rejects if they cannot be read. */
+/**
+ * Undefined if the file gives its surface no colours, or if nobody wants them any more. Rejects if they
+ * cannot be read.
+ */
 export async function originalMaterial(
   { files, file, fetchBeside }: NamedFiles,
   frame: ModelFrame,
   builder: DrawingBuilder,
+  isWanted: () => boolean,
 ): Promise<OriginalMaterial | undefined> {
   const { format, bytes, resource: given } = await findModel(files, { file });
   /** Looks among the files of the model, then at its address. */
@@ -49,7 +53,7 @@ export async function originalMaterial(
     format === 'glTF'
       ? await gltfScene(bytes, resource)
       : format === 'PLY'
-        ? await plyScene(bytes, builder)
+        ? await plyScene(bytes, builder, isWanted)
         : undefined;
   if (!surface) return undefined;
   const object = new Group();
@@ -197,8 +201,13 @@ async function contentOf(uri: string, resource: Resource): Promise<Uint8Array<Ar
   return bytes.slice();
 }
 
-async function plyScene(bytes: Uint8Array, builder: DrawingBuilder): Promise<Object3D | undefined> {
+async function plyScene(
+  bytes: Uint8Array,
+  builder: DrawingBuilder,
+  isWanted: () => boolean,
+): Promise<Object3D | undefined> {
   const made = await builder.plySurface(bytes);
+  if (!isWanted()) return undefined; // the builder has ended with the model, and nothing is to be made here
   const surface =
     made === undefined ? (await import('../buffers/ply_surface.js')).plySurface(bytes) : made;
   if (!surface) return undefined;

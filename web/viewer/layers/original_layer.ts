@@ -44,7 +44,8 @@ export class OriginalLayer {
     if (!model) return undefined;
     const { originalMaterial } = await import('../drawing/original_material.js');
     const { files, drawing, builder } = model;
-    const material = await originalMaterial(files, drawing.mesh.frame, builder);
+    const isWanted = () => model === this.#place.model;
+    const material = await originalMaterial(files, drawing.mesh.frame, builder, isWanted);
     if (material) await this.#place.stage.compile(material.object);
     return material;
   }
