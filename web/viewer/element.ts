@@ -22,7 +22,7 @@ import type { HoveredPoint } from './tools/hover.js';
 import type { Reader } from './session/mesh_opening.js';
 import { type Layer, layers } from './drawing/model_drawing.js';
 import { droppedFiles, fetchModelFiles, givenFiles, named } from './session/model_files.js';
-import { watchNearness } from './element/nearness.js';
+import { watchNearness } from './stage/nearness.js';
 import { ReflectingElement } from './element/reflecting_element.js';
 import type { CvtStatus, Status } from './session/session_listener.js';
 import { type PointList, type SitePlace, surfacePointsOf } from './session/site_history.js';
@@ -68,8 +68,6 @@ export class GeodesicVoronoiElement extends ReflectingElement {
   /** There while the element is in a document and, if it is lazy, has been near the view. */
   #viewer: Viewer | undefined;
   #stopWatching = () => {};
-  /** Until the browser has told, every element may be near the view. */
-  #isNear = true;
   #isDismissed = false;
 
   constructor() {
@@ -84,9 +82,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     this.#shadow.poster = this.poster;
     this.#describe();
     this.#stopWatching = watchNearness(this, (isNear) => {
-      this.#isNear = isNear;
       if (isNear) this.#start();
-      if (this.#viewer) this.#viewer.stage.inView = isNear;
     });
     // All attributes are read here, so only later changes are to be noticed.
     this.#changedAttributes.clear();
@@ -350,7 +346,6 @@ export class GeodesicVoronoiElement extends ReflectingElement {
         contextLost: () => emit('error', { type: 'webglcontextlost', message: contextLost }),
         contextRestored: () => (shadow.isContextLost = false),
       });
-      this.#viewer.stage.inView = this.#isNear;
     } catch (error) {
       this.setAttribute('status', 'failed');
       const isMissing = error instanceof NoWebGlError;

@@ -13,6 +13,7 @@ import type { Emit } from './events.js';
 import { hexagonEnergy } from './session/hexagon_energy.js';
 import { Hover, type HoveredPoint } from './tools/hover.js';
 import type { OpenedMesh, Opening, Reader, SiteSampling } from './session/mesh_opening.js';
+import { watchNearness } from './stage/nearness.js';
 import { OpenModel } from './model/open_model.js';
 import { OriginalLayer } from './layers/original_layer.js';
 import { PageScrolling } from './tools/page_scrolling.js';
@@ -113,6 +114,8 @@ export class Viewer implements Workpiece {
     });
     resizing.observe(canvas);
     signal.addEventListener('abort', () => resizing.disconnect());
+    const stopWatching = watchNearness(canvas, (isNear) => (this.stage.inView = isNear));
+    signal.addEventListener('abort', stopWatching);
     canvas.addEventListener('keydown', (event) => {
       const command = commandOf(event);
       if (command === undefined || !(this.attributes.interactive.edit || isOfView(command))) return;
