@@ -188,6 +188,8 @@ test('the format of bytes without a name is found', async () => {
   const facet = ['0 0 0', '1 0 0', '0 1 0'].map((place) => `VERTEX ${place}\n`).join('');
   const cases = [
     ['OFF', text(`# by hand\nOFF\n3 1 0\n${corners}`)],
+    ['OFF', text(`# by hand\nOFF\n3 1 0\n${corners}`.replaceAll('\n', '\r\n'))],
+    ['OFF', text(`# by hand\nOFF\n3 1 0\n${corners}`.replaceAll('\n', '\r'))],
     ['OFF', text(`3 1 0\n${corners}`)],
     ['OFF', text(`NCOFF\n3 1 0\n${corners}`)], // in the order of MeshLab, not of Geomview
     ['OBJ', text('# OFF\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n')],

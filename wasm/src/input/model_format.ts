@@ -16,8 +16,8 @@ export function formatOf(bytes: Uint8Array, name: string): FileFormat {
   if (bytes.length === 0) throw invalidFile('the file is empty');
   if (isBinaryStl(bytes)) return 'binary STL';
   const head = new TextDecoder('latin1').decode(bytes.subarray(0, maxHeadBytes));
-  // The mark of UTF-8, as this decoder has it; comments of OFF and OBJ.
-  const text = head.replace(/^(ï»¿)?(\s|#.*\n)*/, '');
+  // The mark of UTF-8, as this decoder has it; comments of OFF and OBJ, whatever ends their lines.
+  const text = head.replace(/^(ï»¿)?(\s|#[^\r\n]*[\r\n])*/, '');
   if (head.startsWith('glTF') || text.startsWith('{')) return 'glTF';
   if (head.startsWith('PK\x03\x04') || head.startsWith('PK\x05\x06')) return 'zip';
   if (/^ply[ \t]*[\r\n]/.test(head)) return 'PLY';
