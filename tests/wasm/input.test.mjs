@@ -4,9 +4,12 @@
 // broken is refused in a sentence.
 
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { zipSync } from 'fflate';
 import { findModel, listModels, load } from 'geodesic-voronoi';
+import { decompressed } from '../../dist/input/gltf_decompression.js';
+import { parseGltf } from '../../dist/input/gltf_document.js';
 import { total } from './files.mjs';
 import { bumpySphere, glb, gltf, octahedron } from './meshes.mjs';
 import {
@@ -184,6 +187,11 @@ test('the data URI of a buffer is decoded once', async (t) => {
   };
   assert.equal((await gvd.mesh(bytesOf(text))).info.inputFaces, 24);
   assert.equal(decoded, 1);
+  // Nor does what reads the file after it is decompressed.
+  const compile = () =>
+    WebAssembly.compile(readFileSync(new URL('../../dist/draco.wasm', import.meta.url)));
+  const { bytes } = await decompressed(parseGltf(bytesOf(text)), {}, compile, {});
+  assert.doesNotMatch(new TextDecoder().decode(bytes), /data:/);
 });
 
 test('words of a text are whole, wherever it is taken apart', async () => {

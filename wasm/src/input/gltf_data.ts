@@ -22,8 +22,8 @@ type ListName = (typeof listNames)[number];
 export class GltfData {
   readonly #document: GltfDocument;
   readonly #resources: Resources;
-  /** The contents of data URIs, by buffer: many views may be of one. */
-  readonly #decoded = new Map<number, Uint8Array>();
+  /** The contents of data URIs that were needed, by buffer: many views may be of one. */
+  readonly decoded = new Map<number, Uint8Array>();
   readonly #added: Uint8Array[] = [];
   #addedBytes = 0;
 
@@ -97,8 +97,8 @@ export class GltfData {
   }
 
   #decodedBuffer(index: number, uri: string): Uint8Array {
-    const content = this.#decoded.get(index) ?? dataUriContent(uri, `buffer ${index}`);
-    this.#decoded.set(index, content);
+    const content = this.decoded.get(index) ?? dataUriContent(uri, `buffer ${index}`);
+    this.decoded.set(index, content);
     return content;
   }
 }
@@ -116,7 +116,11 @@ function dataUriContent(uri: string, owner: string): Uint8Array {
     const text = decodeURIComponent(uri.slice(comma + 1));
     if (comma < 0) throw new RangeError('no comma');
     const isBase64 = /;base64$/i.test(uri.slice(0, comma));
-    return Uint8Array.from(isBase64 ? atob(text) : text, (character) => character.charCodeAt(0));
+    const characters = isBase64 ? atob(text) : text;
+    // By a loop: `Uint8Array.from` makes a list of all characters first, many times as large.
+    const content = new Uint8Array(characters.length);
+    for (let i = 0; i < content.length; ++i) content[i] = characters.charCodeAt(i);
+    return content;
   } catch (cause) {
     throw gltfFault(`the data URI of ${owner} cannot be decoded`, cause);
   }

@@ -25,6 +25,7 @@ import { inSlices, type SlicedWork } from '../base/slices.js';
 
 /** Names of buffers that no file has, since they are no URIs. */
 const binaryName = '<binary chunk>';
+const decodedName = (buffer: number) => `<buffer ${buffer}>`;
 const decompressedName = '<decompressed>';
 
 export async function decompressed(
@@ -51,6 +52,11 @@ export async function decompressed(
   if (binary && buffers.length > 0 && buffers[0].uri === undefined) {
     buffers[0].uri = binaryName;
     all[binaryName] = binary;
+  }
+  // The reader decodes none again.
+  for (const [buffer, content] of data.decoded) {
+    buffers[buffer].uri = decodedName(buffer);
+    all[decodedName(buffer)] = content;
   }
   buffers.push({ uri: decompressedName, byteLength: added.length });
   try {
