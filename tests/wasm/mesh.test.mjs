@@ -146,6 +146,8 @@ test('a .gltf takes its buffer from the files beside it, and names one that is m
 test('gltfResourceUris names no resources where there are none', () => {
   assert.deepEqual(gltfResourceUris(glb(octahedron())), []);
   assert.deepEqual(gltfResourceUris(new Uint8Array(5)), []);
+  const comment = '# {"buffers":[{"uri":"a.bin"}]}\nv 0 0 0\n';
+  assert.deepEqual(gltfResourceUris(new TextEncoder().encode(comment)), []);
   const { json } = gltf(octahedron(), { uri: 'data:application/octet-stream;base64,AAAA' });
   assert.deepEqual(gltfResourceUris(new TextEncoder().encode(JSON.stringify(json))), []);
 });

@@ -67,8 +67,15 @@ function* membersOf(text: Uint8Array): Generator<[name: Uint8Array, value: Uint8
     } else if (depth === 1 && byte === comma) {
       if (start > 0) yield [name, text.subarray(start, at)];
       start = 0;
+    } else if (depth === 0 && isLetter(byte)) {
+      return; // another format, of which the rest need not be looked through
     }
   }
+}
+
+/** Whether a byte is neither blank nor part of the mark of UTF-8. */
+function isLetter(byte: number): boolean {
+  return byte > 0x20 && byte < 0x80;
 }
 
 /** Where the quote is that ends a string. */
