@@ -5,6 +5,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { diagramJson, load, pointsJson } from 'geodesic-voronoi';
+import { readPointsFile } from '../../dist/input/points_reader.js';
 import { grid, octahedron } from './meshes.mjs';
 import { fails } from './expectations.mjs';
 
@@ -59,6 +60,25 @@ test('points in a file are refused where they are none, or are those of another 
     mesh.readPoints({ face: [0], bary: [1, 0] }),
     fails('invalid-argument', /^points\.bary has length 2, not 3: /),
   );
+});
+
+test('files of many places are read in slices', async ({ mock }) => {
+  let clock = 0;
+  mock.method(performance, 'now', () => (clock += 1000)); // every step is a slice
+  const rows = Array.from({ length: 2000 }, (_, i) => `${i} 0 0\n`).join('');
+  const header = ['x', 'y', 'z'].map((axis) => `property float ${axis}\n`).join('');
+  const ply = `ply\nformat ascii 1.0\nelement vertex 2000\n${header}end_header\n`;
+  for (const text of [rows, rows.replaceAll(' ', ','), ply + rows]) {
+    let turns = 0;
+    let turn = setImmediate(function next() {
+      ++turns;
+      turn = setImmediate(next);
+    });
+    const { position } = await readPointsFile(new TextEncoder().encode(text));
+    clearImmediate(turn);
+    assert.deepEqual([position.length, position[3 * 1999]], [6000, 1999]);
+    assert.ok(turns > 10, `${turns} turns`);
+  }
 });
 
 test('points are not given in two ways at once', async () => {

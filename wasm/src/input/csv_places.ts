@@ -4,6 +4,8 @@
 
 import { show } from '../base/checks.js';
 import { decimal } from '../base/decimal.js';
+import type { SlicedWork } from '../base/slices.js';
+import { linesPerStep } from './text_words.js';
 
 const axes = ['x', 'y', 'z'];
 
@@ -14,7 +16,7 @@ const axes = ['x', 'y', 'z'];
  * too, as NumPy and 3D Slicer write it. If the rows have one column more than the first line has names,
  * the first one has the names of the rows, as R writes them.
  */
-export function readCsvPlaces(bytes: Uint8Array): number[] {
+export function* readCsvPlaces(bytes: Uint8Array): SlicedWork<number[]> {
   const text = new TextDecoder().decode(bytes);
   const places: number[] = [];
   let columns = [0, 1, 2];
@@ -22,7 +24,9 @@ export function readCsvPlaces(bytes: Uint8Array): number[] {
   /** The number of names in the line before, if that is the first one. */
   let names = 0;
   let pattern: RegExp | undefined;
-  for (const [i, line] of text.split(/\r\n|\r|\n/).entries()) {
+  let lineNumber = 0;
+  for (const { 1: line, index } of text.matchAll(/([^\r\n]*)(\r\n|\r|\n|$)/g)) {
+    if (lineNumber++ % linesPerStep === 0) yield index / text.length;
     if (/^\s*#/.test(line)) comment = line.replace(/^[\s#]*(columns\s*=)?/, '').trim();
     if (/^\s*(#|$)/.test(line)) continue;
     const isFirst = !pattern;
@@ -32,7 +36,7 @@ export function readCsvPlaces(bytes: Uint8Array): number[] {
       const inComment = wordsOf(comment, pattern);
       if (inComment.length === words.length) columns = columnsOf(inComment) ?? columns;
       if (columns.some((column) => Number.isNaN(decimal(words[column] ?? '')))) {
-        columns = columnsOf(words) ?? refuseNames(words, i + 1);
+        columns = columnsOf(words) ?? refuseNames(words, lineNumber);
         names = words.length;
         continue;
       }
@@ -40,7 +44,7 @@ export function readCsvPlaces(bytes: Uint8Array): number[] {
     const hasRowNames = names > 0 && words.length === names + 1 && words.at(-1) !== '';
     if (hasRowNames) columns = columns.map((column) => column + 1);
     names = 0;
-    places.push(...columns.map((column, k) => numberOf(words[column], i + 1, axes[k])));
+    places.push(...columns.map((column, k) => numberOf(words[column], lineNumber, axes[k])));
   }
   return places;
 }

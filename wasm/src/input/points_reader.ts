@@ -19,9 +19,10 @@ export async function readPointsFile(bytes: Uint8Array): Promise<unknown> {
   const head = new TextDecoder().decode(bytes.subarray(0, headBytes));
   if (head.trim() === '') throw new Error('the file is empty');
   if (isJson(head)) return readJson(bytes);
-  const position = /^ply\s/.test(head)
-    ? await inSlices(readPlyPlaces(bytes, toSizeLimits({})), {})
+  const places = /^ply\s/.test(head)
+    ? readPlyPlaces(bytes, toSizeLimits({}))
     : readCsvPlaces(bytes);
+  const position = await inSlices<ArrayLike<number>>(places, {});
   if (position.length === 0) throw new Error('it has no points');
   return { position };
 }
