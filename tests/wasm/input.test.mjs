@@ -641,6 +641,15 @@ test('a broken OBJ, OFF, PLY or STL says in which line or at which byte', async 
     ['ply\nformat utf8 1.0\nend_header\n', /^line 2: 'utf8' is not a format/],
     [ply(...vertices(3), ...faces(0), ...triangle), /the PLY has no faces/],
     [
+      ply(
+        ...vertices(1),
+        ...Array(2).fill('property float density'),
+        ...faces(1),
+        '0 0 0 1 1 3 0 0 0',
+      ),
+      /the PLY has 2 densities for 1 vertex$/,
+    ],
+    [
       ply(...vertices(3), ...faces(1), ...triangle, '3 0 1 3'),
       /^line 13: a face names vertex 3 \(from 0\), but the number of vertices is 3/,
     ],

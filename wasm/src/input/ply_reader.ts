@@ -5,6 +5,7 @@
 // come in. Everything else is passed over.
 
 import { invalidFile } from '../api/errors.js';
+import { counted } from '../base/sentences.js';
 import type { SlicedWork } from '../base/slices.js';
 import type { ReadModel } from '../base/triangles.js';
 import { GrowingArray } from '../base/growing_array.js';
@@ -125,6 +126,11 @@ class PlyReader {
     }
     const positions = yield* this.#positions.take();
     const density = yield* this.#density.take();
+    // A header may name the property, or the vertices, twice.
+    if (density.length > 0 && density.length !== vertexCount)
+      throw invalidFile(
+        `the PLY has ${density.length} densities for ${counted(vertexCount, 'vertex', 'vertices')}`,
+      );
     return { positions, density, ...(yield* this.#polygons.take(positions)) };
   }
 
