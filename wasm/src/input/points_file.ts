@@ -24,10 +24,10 @@ export function pointsFile(json: unknown): PointsFile {
       'there are no points: {"face": […], "bary": […]}, {"vertex": […]} or {"position": [x, y, z, …]}',
     );
   }
-  const isOfMesh = has(json, 'mesh') && has(json.mesh, 'faces');
+  const faces = has(json, 'mesh') && has(json.mesh, 'faces') ? json.mesh.faces : undefined;
   return {
     points: points as SurfacePointsInput,
-    ...(isOfMesh && { faces: Number((json.mesh as { faces: unknown }).faces) }),
+    ...(typeof faces === 'number' && { faces }),
   };
 }
 
