@@ -65,15 +65,16 @@ export function readPlyHeader(bytes: Uint8Array): PlyHeader {
   const text = new TextDecoder('latin1').decode(bytes.subarray(0, maxHeaderBytes));
   const end = /(^|[\r\n])end_header[ \t]*(\r\n|\r|\n)/.exec(text);
   if (!end) throw invalidFile('the PLY is truncated: its header has no end');
-  const headerText = text.slice(0, end.index + end[0].length);
+  const bytesOfHeader = end.index + end[0].length;
+  const rows = text.slice(0, bytesOfHeader).split(/\r\n|\r|\n/);
   const header: PlyHeader = {
     format: 'ascii',
     elements: [],
-    bytes: headerText.length,
-    lines: headerText.split(/\r\n|\r|\n/).length - 1,
+    bytes: bytesOfHeader,
+    lines: rows.length - 1,
   };
   let isKnown = false;
-  for (const [i, row] of headerText.split(/\r\n|\r|\n/).entries()) {
+  for (const [i, row] of rows.entries()) {
     const line = { number: i + 1, words: row.trim().split(/\s+/) };
     const [keyword, word] = line.words;
     if (keyword === 'format') {
