@@ -38,7 +38,7 @@ export function toOptions<Options extends object, const Defaults extends Default
     );
   }
   const values = Object.entries(defaults).map(([name, value]) => {
-    const own = (given as Record<string, unknown>)[name];
+    const own = given[name];
     return [name, own === undefined ? value : own];
   });
   return Object.fromEntries(values) as Complete<Options, Defaults>;
@@ -177,7 +177,8 @@ function letterDistance(a: string, b: string): number {
   return row[b.length];
 }
 
-export function isObject(value: unknown): value is object {
+/** Whether a value has fields, of which nothing is known yet. */
+export function isObject(value: unknown): value is Record<string, unknown> {
   return typeof value === 'object' && value !== null;
 }
 

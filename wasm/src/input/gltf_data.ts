@@ -2,10 +2,10 @@
 //
 // The lists and buffers of a glTF that is being decompressed: finds, checks and adds bytes.
 
+import { isObject } from '../base/checks.js';
 import {
   gltfFault,
   type GltfDocument,
-  isObject,
   type JsonObject,
   objectsOf,
   type Resources,

@@ -4,6 +4,7 @@
 // KHR_meshopt_compression: the decoders' output becomes one more buffer, to which buffer views and
 // accessors are redirected. Everything else stays as it is.
 
+import { isObject } from '../base/checks.js';
 import { imported } from '../base/compile.js';
 import type { DracoDecoding, DracoMesh } from './draco.js';
 import {
@@ -12,7 +13,6 @@ import {
   gltfFault,
   type GltfDocument,
   type GltfFile,
-  isObject,
   type JsonObject,
   meshoptExtensions,
   objectsOf,

@@ -3,7 +3,7 @@
 // A glTF before it is read: the files that it refers to, and whether anything in it is compressed.
 // Faults are left to the reader in C++, which gets the glTF as it is.
 
-import { requireBytes } from '../base/checks.js';
+import { isObject, requireBytes } from '../base/checks.js';
 import { GeodesicVoronoiError } from '../api/errors.js';
 import { parseJsonMembers } from './json_members.js';
 
@@ -62,10 +62,6 @@ export function extensionOf({ extensions }: JsonObject, name: string): JsonObjec
 /** The objects of a list; `{}` replaces entries that are no objects, so that indices stay. */
 export function objectsOf(list: unknown): JsonObject[] {
   return Array.isArray(list) ? list.map((entry) => (isObject(entry) ? entry : {})) : [];
-}
-
-export function isObject(value: unknown): value is JsonObject {
-  return typeof value === 'object' && value !== null;
 }
 
 /** The members that say which files a glTF needs and whether it is compressed. */
