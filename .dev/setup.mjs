@@ -2,8 +2,8 @@
 //
 // npm run setup: what building and testing need, where it is missing. The other scripts call it too.
 
-import { statSync } from 'node:fs';
-import { announce, at, exists, hasCommand, isScript, main, run, status } from './tasks.mjs';
+import { existsSync, readFileSync } from 'node:fs';
+import { announce, at, hasCommand, isScript, main, run, status } from './tasks.mjs';
 
 /** Commands, with the Debian packages that bring them: for a page, and for the tests besides. */
 const commands = {
@@ -39,7 +39,7 @@ export function chromium() {
     '/usr/bin/chromium-browser',
     '/usr/bin/google-chrome',
     '/Applications/Google Chrome.app/Contents/MacOS/Google Chrome',
-  ].find(exists);
+  ].find(existsSync);
 }
 
 /** Makes everything for `purpose` available: 'build', or 'test', which is more. */
@@ -57,7 +57,7 @@ export function setUp(purpose) {
 function hasHeader(header) {
   const folders = ['/usr/include', '/usr/local/include', '/opt/homebrew/include'];
   folders.push('/usr/lib/clang/14/include'); // of Debian's compiler
-  return folders.some((folder) => exists(`${folder}/${header}`));
+  return folders.some((folder) => existsSync(`${folder}/${header}`));
 }
 
 function install(missing, fetched) {
@@ -89,14 +89,28 @@ function aptCommand() {
   return maySudo ? (...args) => ['sudo', [environment, 'apt-get', ...args]] : undefined;
 }
 
-/** By the lock file, unless what it asks for is there. */
+/** By the lock file, unless all that it asks for is there. */
 function installModules() {
-  const time = (path) => statSync(path, { throwIfNoEntry: false })?.mtimeMs ?? 0;
-  // npm's record of what it installed.
-  if (time(at('node_modules', '.package-lock.json')) >= time(at('package-lock.json'))) return;
+  if (areModulesInstalled()) return;
   announce('Install the npm packages');
   // Nothing here needs an install script; one of the sample meshes would unpack itself for a minute.
   run('npm', ['ci', '--ignore-scripts']);
+}
+
+/**
+ * Whether npm's record of what it installed has every package of the lock file. Not by their times: a new
+ * clone, or another branch, would replace what is there, also where a link leads to that of another clone.
+ */
+function areModulesInstalled() {
+  const record = at('node_modules', '.package-lock.json');
+  if (!existsSync(record)) return false;
+  const packagesIn = (path) => JSON.parse(readFileSync(path, 'utf8')).packages;
+  const installed = packagesIn(record);
+  const { '': own, ...wanted } = packagesIn(at('package-lock.json'));
+  // Optional ones are those of other systems.
+  return Object.entries(wanted).every(
+    ([path, { version, optional }]) => optional || installed[path]?.version === version,
+  );
 }
 
 if (isScript(import.meta.url)) await main(() => setUp('test'));
