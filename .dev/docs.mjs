@@ -4,10 +4,10 @@
 // and makes build/page/docs of them, with the reference of the API. With `pictures`, the page is
 // photographed too, which takes a browser.
 
-import { readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { buildPage } from './build.mjs';
 import { setUp } from './setup.mjs';
-import { announce, at, exists, hasCommand, isScript, main, run, step } from './tasks.mjs';
+import { announce, at, hasCommand, isScript, main, run, step } from './tasks.mjs';
 
 const output = 'build/page/docs';
 const make = (name) => import(`../web/docs/make/${name}.mjs`);
@@ -24,7 +24,7 @@ export async function buildDocs() {
     async () => {
       const typedoc = [`${reference}/node_modules`, 'node_modules']
         .map((modules) => at(modules, '.bin/typedoc'))
-        .find(exists);
+        .find(existsSync);
       if (!typedoc)
         throw new Error('TypeDoc is not there, which makes the reference: npm ci installs it');
       rmSync(at(output), { recursive: true, force: true });

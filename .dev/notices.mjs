@@ -3,9 +3,9 @@
 // The notices of what is compiled or copied into the package and was written by others, out of their
 // own files.
 
-import { readFileSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { at, exists } from './tasks.mjs';
+import { at } from './tasks.mjs';
 
 /** Part of the WebAssembly modules: the first comment of a file of theirs is their notice. */
 const compiledIn = [
@@ -48,7 +48,7 @@ function mitTerms() {
 export function thirdPartyNotices(folders, modules) {
   const sections = compiledIn.map(({ name, address, files }) => {
     const paths = folders.flatMap((folder) => files.map((file) => join(folder, file)));
-    const path = paths.find(exists);
+    const path = paths.find(existsSync);
     if (!path) throw new Error(`There is no ${files[0]} to take the notice of ${name} from.`);
     return `${name} (${address}), in the WebAssembly modules\n\n${firstComment(path)}`;
   });
@@ -74,6 +74,6 @@ const packageOf = (name) =>
 
 function licenceOf(name) {
   const files = ['LICENSE', 'LICENSE.md', 'LICENSE.txt', 'LICENCE'];
-  const path = files.map((file) => at('node_modules', name, file)).find(exists);
+  const path = files.map((file) => at('node_modules', name, file)).find(existsSync);
   return path ? readFileSync(path, 'utf8') : 'The terms of its licence are at its address.';
 }

@@ -4,7 +4,7 @@
 // they read has changed. Only what Node itself brings: nothing is installed yet when these run.
 
 import { spawn, spawnSync } from 'node:child_process';
-import { mkdirSync, readdirSync, statSync, utimesSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readdirSync, statSync, utimesSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
@@ -57,10 +57,6 @@ export function hasCommand(name) {
   return spawnSync('sh', ['-c', `command -v "${name}"`], { stdio: 'ignore' }).status === 0;
 }
 
-export function exists(path) {
-  return modified(path) > 0;
-}
-
 /** Says what comes next. */
 export function announce(text) {
   (progress === 1 ? console.log : console.error)(`\n— ${text}`);
@@ -73,7 +69,7 @@ export function announce(text) {
 export async function step(name, { inputs, outputs }, work) {
   const stamp = at('build', 'stamps', name);
   const changed = Math.max(...inputs.map((input) => modified(at(input))));
-  if (outputs.every((output) => exists(at(output))) && modified(stamp) > changed) return;
+  if (outputs.every((output) => existsSync(at(output))) && modified(stamp) > changed) return;
   announce(name);
   const started = new Date();
   await work();
