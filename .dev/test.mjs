@@ -149,11 +149,11 @@ async function attempt(prepare, command, closing) {
 }
 
 await main(async () => {
-  setUp('test');
   const names = process.argv.slice(2);
   const known = runners.map(({ name }) => name);
   const unknown = names.find((name) => !known.includes(name));
   if (unknown) throw new Error(`'${unknown}' is none of ${known.join(', ')}`);
+  setUp('test');
   const chosen = runners.filter(({ name }) => names.length === 0 || names.includes(name));
   const results = [];
   for (const runner of chosen) results.push(await result(runner));
