@@ -148,9 +148,13 @@ const firstFiles = [
 /** Prints it, and fails if it is more than that. */
 function checkPageSize() {
   const folder = 'build/page/assets';
-  const names = new Set(
-    readdirSync(at(folder)).filter((name) => firstFiles.includes(name.replace(/-.{8}\.\w+$/, ''))),
-  );
+  const files = readdirSync(at(folder));
+  const names = new Set();
+  for (const first of firstFiles) {
+    const found = files.filter((file) => file.replace(/-.{8}\.\w+$/, '') === first);
+    if (found.length === 0) throw new Error(`${folder} has no ${first}, of which the size counts`);
+    for (const name of found) names.add(name);
+  }
   for (const name of names) {
     if (!name.endsWith('.js')) continue;
     const imports = readFileSync(at(folder, name), 'utf8').matchAll(
