@@ -55,6 +55,7 @@ test('an option that a command has not: the nearest, or whose it is', () => {
   fails(2, 'diagram shape.glb --sites -3', /--sites is '-3', not an integer/);
   fails(2, 'diagram shape.glb --sites --seed 3', /--sites needs a value\n$/);
   fails(2, 'diagram shape.glb -o', /-o needs a value\n$/);
+  fails(2, 'diagram shape.glb --sites=', /--sites needs a value\n$/);
   fails(2, 'diagram shape.glb --sites 3 --quiet=no', /--quiet is 'no', and takes no value\n$/);
 });
 

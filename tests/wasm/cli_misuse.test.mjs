@@ -45,9 +45,11 @@ const misuses = [
     `${call(command)} --orientation up`,
     `${call(command)} --min-component=-1`,
     `${call(command)} --output`,
+    `${call(command)} --output=`,
   ]),
   ...withSites.flatMap((command) => [
     `${command} mesh.glb --points one.json -o out`,
+    `${call(command)} --sites=`,
     `${call(command)} --sites 0`,
     `${call(command)} --sites -3`,
     `${call(command)} --sites=1e99`,

@@ -112,8 +112,9 @@ function requireKnown(
   const takesValue = 'value' in options[name as OptionName];
   if (!takesValue && value !== undefined)
     throw new UsageError(`${rawName} is '${value}', and takes no value`);
-  // What begins with a dash is an option, unless it is a number or standard input.
-  if (takesValue && (value === undefined || (!inlineValue && /^-[^\d.]/.test(value))))
+  // One is empty where a variable of the shell is not set. What begins with a dash is an option, unless
+  // it is a number or standard input.
+  if (takesValue && (!value || (!inlineValue && /^-[^\d.]/.test(value))))
     throw new UsageError(`${rawName} needs a value`);
 }
 
