@@ -105,20 +105,23 @@ export function distancesGlb(
 ): Uint8Array<ArrayBuffer> {
   const { label, distance } = toResult('distances', distances, 'label', 'distance');
   const { mesh, scale } = withMesh(distances, options);
-  const hasFinitePosition = (vertex: number) =>
-    mesh.positions.subarray(3 * vertex, 3 * vertex + 3).every(Number.isFinite);
-  const triangles = Array.from({ length: mesh.indices.length / 3 }, (_, f) =>
-    mesh.indices.subarray(3 * f, 3 * f + 3),
-  ).filter((corners) => corners.every(hasFinitePosition));
+  const { positions, indices } = mesh;
+  const hasPlace = Uint8Array.from(label, (_, v) =>
+    Number(positions.subarray(3 * v, 3 * v + 3).every(Number.isFinite)),
+  );
+  const corners = indices.filter((_, c) => {
+    const first = c - (c % 3);
+    return hasPlace[indices[first]] && hasPlace[indices[first + 1]] && hasPlace[indices[first + 2]];
+  });
   const known = distance.map((d) => (d === Infinity ? -1 : scale * d));
-  const file = new GlbBuilder(mesh.positions, scale);
+  const file = new GlbBuilder(positions, scale);
   const primitive = {
     attributes: {
       ...glbAttributes(file, inputVertices(mesh)),
       _LABEL: file.attribute(Float32Array.from(label), 'SCALAR'),
       _DISTANCE: file.attribute(Float32Array.from(known), 'SCALAR'),
     },
-    indices: file.indices(Uint32Array.from(triangles.flatMap((corners) => [...corners]))),
+    indices: file.indices(Uint32Array.from(corners)),
   };
   return file.finish({
     nodes: [{ name: 'distances', mesh: 0 }],
