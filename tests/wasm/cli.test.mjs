@@ -112,7 +112,7 @@ test('info of several meshes: all that can be read, and status 1 if one cannot',
   assert.ok(!readdirSync(folder).includes('report.txt'));
 });
 
-test('--max-edge, --weld, --orientation and --min-component: how the mesh is made', () => {
+test('--max-edge, --weld, --orientation and --min-component: how the mesh is made', async () => {
   const { positions, indices } = octahedron();
   write('torn.obj', meshObj(torn(octahedron(), 1e-6)));
   const { stdout } = succeeds('info torn.obj --weld 1e-5');
@@ -150,7 +150,7 @@ test('--max-edge, --weld, --orientation and --min-component: how the mesh is mad
   const large = succeeds('info two.glb --min-component 3').stdout;
   assert.match(large, /components +1\n[^]*repair: 1 component .*\nrepair: 2 triangles of these/);
   succeeds('partition two.glb --min-component 3 --sites 3 --sampling farthest -o parts.glb');
-  assertValidGlb(readFileSync(join(folder, 'parts.glb')));
+  await assertValidGlb(readFileSync(join(folder, 'parts.glb')));
   fails(1, 'info shape.glb --min-component 9', /no component has 9 triangles/);
   for (const wrong of [
     '--weld=-1',
