@@ -158,11 +158,12 @@ test('locate', () => {
   const { stdout } = succeeds('locate shape.glb --sites sites.json --points points.json');
   const located = { scale: 1, unit: 'm', label: [0, 1], distance: [0, 0] };
   assert.deepEqual(JSON.parse(stdout), { mesh: { faces: 8 }, ...located });
-  write('points.json', '{"face": [0, 8], "bary": [0, 0, 1, 0, 1, 0]}');
   const far = JSON.parse(
-    succeeds('locate shape.glb --sites sites.json --points sites.json --units 2').stdout,
+    succeeds('locate shape.glb --sites sites.json --points {"vertex":[3,1]} --units 2').stdout,
   );
-  assert.deepEqual(far.label, [0, 1]);
+  assert.deepEqual(far.label, [1, 0]);
+  assert.equal(far.distance[0], 0);
+  near(far.distance[1], 2 * Math.SQRT2, 1e-12);
 });
 
 test('locate gives null for what no site reaches', () => {
