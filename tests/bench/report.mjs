@@ -94,22 +94,24 @@ const speedColumns = {
   sites: ({ sites }) => sites,
   Dijkstra: ({ dijkstra }) => milliseconds(dijkstra),
   metric: ({ metric }) => metric,
-  distances: (row) => measured(row, () => milliseconds(row.distances)),
-  '': (row) => measured(row, () => ratio(row.distances, row.dijkstra)),
-  diagram: (row) => measured(row, () => milliseconds(row.diagram)),
-  ' ': (row) => measured(row, () => ratio(row.diagram, row.dijkstra)),
-  both: (row) => measured(row, () => ratio(row.distances + row.diagram, row.dijkstra)),
-  'partition/both': (row) => measured(row, () => ratio(row.partition, row.distances + row.diagram)),
+  distances: (row) => unlessNoted(row, () => milliseconds(row.distances)),
+  '': (row) => unlessNoted(row, () => ratio(row.distances, row.dijkstra)),
+  diagram: (row) => unlessNoted(row, () => milliseconds(row.diagram)),
+  ' ': (row) => unlessNoted(row, () => ratio(row.diagram, row.dijkstra)),
+  both: (row) => unlessNoted(row, () => ratio(row.distances + row.diagram, row.dijkstra)),
+  'partition/both': (row) =>
+    unlessNoted(row, () => ratio(row.partition, row.distances + row.diagram)),
   // Where sites can be changed in place.
   'change/both': (row) =>
-    measured(row, () => row.change && fraction(row.change, row.distances + row.diagram)),
-  memory: (row) => measured(row, () => `${Math.round(row.bytesPerFace)} B/face`),
-  'wasm/native': (row) => measured(row, () => ratio(row.wasm, row.distances + row.diagram)),
+    unlessNoted(row, () => row.change && fraction(row.change, row.distances + row.diagram)),
+  memory: (row) => unlessNoted(row, () => `${Math.round(row.bytesPerFace)} B/face`),
+  'wasm/native': (row) => unlessNoted(row, () => ratio(row.wasm, row.distances + row.diagram)),
   note: ({ note, wasmNote }) => note ?? wasmNote,
 };
 
-const overDijkstra = (row) => measured(row, () => ratio(row.distances + row.diagram, row.dijkstra));
-const changeTime = (row) => measured(row, () => row.change && milliseconds(row.change));
+const overDijkstra = (row) =>
+  unlessNoted(row, () => ratio(row.distances + row.diagram, row.dijkstra));
+const changeTime = (row) => unlessNoted(row, () => row.change && milliseconds(row.change));
 
 /** A row per mesh and metric, with the rows of all its numbers of sites. */
 function ladderRows(speed) {
@@ -147,9 +149,9 @@ const scoreColumns = {
   sites: ({ sites }) => sites,
   points: ({ points }) => points,
   metric: ({ metric }) => metric,
-  mislabelled: (row) => measured(row, () => percent(row.mislabelled)),
-  'mean error': (row) => measured(row, () => row.meanError.toExponential(2)),
-  'largest error': (row) => measured(row, () => row.largestError.toExponential(2)),
+  mislabelled: (row) => unlessNoted(row, () => percent(row.mislabelled)),
+  'mean error': (row) => unlessNoted(row, () => row.meanError.toExponential(2)),
+  'largest error': (row) => unlessNoted(row, () => row.largestError.toExponential(2)),
   note: ({ note }) => note,
 };
 
@@ -165,10 +167,10 @@ const detailColumns = {
   ...Object.fromEntries(
     [0, 1, 2, 3, 4].map((n) => [
       `detail ${n}`,
-      (row) => measured(row, () => smallPercent(row.mislabelled[n])),
+      (row) => unlessNoted(row, () => smallPercent(row.mislabelled[n])),
     ]),
   ),
-  order: (row) => measured(row, () => order(row.mislabelled[0], row.mislabelled[4], 4)),
+  order: (row) => unlessNoted(row, () => order(row.mislabelled[0], row.mislabelled[4], 4)),
   note: ({ note }) => note,
 };
 
@@ -176,12 +178,12 @@ const refinementColumns = {
   faces: ({ faces }) => faces,
   sites: ({ sites }) => sites,
   metric: ({ metric }) => metric,
-  mislabelled: (row) => measured(row, () => percent(row.mislabelled)),
+  mislabelled: (row) => unlessNoted(row, () => percent(row.mislabelled)),
   order: (row) =>
-    measured(row, () => row.coarser && order(row.coarser.mislabelled, row.mislabelled)),
-  'mean error': (row) => measured(row, () => row.meanError.toExponential(2)),
+    unlessNoted(row, () => row.coarser && order(row.coarser.mislabelled, row.mislabelled)),
+  'mean error': (row) => unlessNoted(row, () => row.meanError.toExponential(2)),
   'its order': (row) =>
-    measured(row, () => row.coarser && order(row.coarser.meanError, row.meanError)),
+    unlessNoted(row, () => row.coarser && order(row.coarser.meanError, row.meanError)),
   note: ({ note }) => note,
 };
 
@@ -196,7 +198,8 @@ const tessellationColumns = {
   'one iteration': ({ diagrams }) => `${diagrams.toFixed(2)} diagrams`,
 };
 
-const measured = (row, text) => (row.note ? undefined : text());
+/** A text about a row; none if a note says why nothing was measured. */
+const unlessNoted = (row, text) => (row.note ? undefined : text());
 
 /** In Markdown, legible as it is: numbers to the right, columns that are empty left out. */
 function table(columns, rows) {
