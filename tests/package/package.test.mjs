@@ -61,6 +61,7 @@ test('everything that package.json names is there', () => {
 test('everything that its modules import is declared', () => {
   const { name, peerDependencies } = JSON.parse(read('package.json'));
   const declared = [name, ...Object.keys(peerDependencies)];
+  const seen = new Set();
   for (const path of installed.files.filter((file) => /^dist\/.*\.js$/.test(file))) {
     const imports = read(path).matchAll(
       /(?:^(?:import|export)\b(?:[\w\s{},*]*\bfrom)?\s*|\bimport\()['"]([^.'"][^'"]*)['"]/gm,
@@ -68,8 +69,11 @@ test('everything that its modules import is declared', () => {
     for (const [, specifier] of imports) {
       const isDeclared = declared.some((known) => `${specifier}/`.startsWith(`${known}/`));
       assert.ok(isDeclared || specifier.startsWith('node:'), `${path} imports ${specifier}`);
+      seen.add(specifier);
     }
   }
+  for (const specifier of ['three', 'three-mesh-bvh', 'node:fs/promises'])
+    assert.ok(seen.has(specifier), specifier);
 });
 
 test('the licences of all that is compiled in are told', () => {
