@@ -86,7 +86,7 @@ test('with a diagram that can be asked and changed, and outlives the iterations 
   }
 });
 
-test('by exact distances, if asked for', async () => {
+test('by the metric that is asked for', async () => {
   const states = await collect(mesh.cvt(sites, { iterations: 2, metric: 'dgpc', diagrams: true }));
   const [, { diagram }, last] = states;
   assert.equal(diagram.metric, 'dgpc');
@@ -148,14 +148,6 @@ test('densities and fixed sites that do not fit are refused', async () => {
     assert.rejects(collect(mesh.cvt(sites, options)), fails('invalid-argument', message));
   await refused({ density: [1, 2] }, /the number of densities is 2/);
   await refused({ fixedSites: [12] }, /site 12/);
-});
-
-test('sites are sampled in three ways', async () => {
-  for (const sampling of ['random', 'farthest', 'poisson']) {
-    const { face, bary } = await mesh.sampleSites(20, { sampling });
-    assert.equal(face.length, 20);
-    assert.equal(bary.length, 60);
-  }
 });
 
 test('remesh: the sites given and some more, moved, with a valid dual', async () => {

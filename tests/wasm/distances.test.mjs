@@ -78,7 +78,7 @@ for (const metric of ['exact', 'dgpc'])
       const { positions, indices } = apart(octahedron(), grid(1));
       const mesh = await gvd.mesh({
         positions: [...positions, 9, 9, 9, ...positions.slice(3, 6)],
-        indices: [...indices.slice(0, -6), ...indices.slice(-6)],
+        indices,
       });
       const { label, distance, direction } = await mesh.distances({ vertex: [0, 3] }, { metric });
       assert.deepEqual([...label], [0, 0, 0, 1, 0, 0, -1, -1, -1, -1, -1, 0]);

