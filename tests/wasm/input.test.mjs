@@ -11,12 +11,11 @@ import { findModel, listModels, load } from 'geodesic-voronoi';
 import { decompressed } from '../../dist/input/gltf_decompression.js';
 import { parseGltf } from '../../dist/input/gltf_document.js';
 import { total } from './files.mjs';
-import { bumpySphere, glb, gltf, octahedron } from './meshes.mjs';
+import { bumpySphere, glb, glbOf, gltf, octahedron } from './meshes.mjs';
 import {
   dracoGlb,
   dracoModels,
   dragon,
-  glbOf,
   meshBinaryStl,
   meshObj,
   meshOff,

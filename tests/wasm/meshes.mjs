@@ -97,18 +97,21 @@ export function gltf({ positions, indices }, { translation = [0, 0, 0], uri } = 
 /** The bytes of a GLB with one mesh. */
 export function glb(mesh, options) {
   const { json, buffer } = gltf(mesh, options);
-  const text = Buffer.from(JSON.stringify(json));
-  const padded = Buffer.concat([text, Buffer.alloc((4 - (text.length % 4)) % 4, ' ')]);
+  return glbOf(json, buffer);
+}
+
+/** A GLB out of its JSON and its buffer. */
+export function glbOf(json, buffer) {
+  const padded = (bytes, filler) =>
+    Buffer.concat([bytes, Buffer.alloc((4 - (bytes.length % 4)) % 4, filler)]);
+  const chunks = [
+    [0x4e4f534a, padded(Buffer.from(JSON.stringify(json)), ' ')],
+    [0x004e4942, padded(Buffer.from(buffer), 0)],
+  ];
   const words = (...numbers) => Buffer.from(Uint32Array.from(numbers).buffer);
-  return new Uint8Array(
-    Buffer.concat([
-      words(0x46546c67, 2, 28 + padded.length + buffer.length),
-      words(padded.length, 0x4e4f534a),
-      padded,
-      words(buffer.length, 0x004e4942),
-      buffer,
-    ]),
-  );
+  const body = chunks.flatMap(([type, bytes]) => [words(bytes.length, type), bytes]);
+  const length = body.reduce((sum, bytes) => sum + bytes.length, 12);
+  return new Uint8Array(Buffer.concat([words(0x46546c67, 2, length), ...body]));
 }
 
 /** A closed surface around the origin, with hills and hollows: rings of vertices between two poles. */

@@ -11,7 +11,7 @@ import { MeshoptEncoder } from 'meshoptimizer/encoder';
 import bunnyModel from '@pmndrs/assets/models/bunny.glb.js';
 import pmndrsModel from '@pmndrs/assets/models/pmndrs.glb.js';
 import suziModel from '@pmndrs/assets/models/suzi.glb.js';
-import { triples } from './meshes.mjs';
+import { glbOf, triples } from './meshes.mjs';
 
 const utf8 = new TextEncoder();
 
@@ -38,20 +38,6 @@ export function dragon() {
     import.meta.url,
   );
   return { name: 'dragon.ply', bytes: new Uint8Array(gunzipSync(readFileSync(packed))) };
-}
-
-/** A GLB out of its JSON and its buffer. */
-export function glbOf(json, buffer) {
-  const padded = (bytes, filler) =>
-    Buffer.concat([bytes, Buffer.alloc((4 - (bytes.length % 4)) % 4, filler)]);
-  const chunks = [
-    [0x4e4f534a, padded(Buffer.from(JSON.stringify(json)), ' ')],
-    [0x004e4942, padded(Buffer.from(buffer), 0)],
-  ];
-  const words = (...numbers) => Buffer.from(Uint32Array.from(numbers).buffer);
-  const body = chunks.flatMap(([type, bytes]) => [words(bytes.length, type), bytes]);
-  const length = body.reduce((sum, bytes) => sum + bytes.length, 12);
-  return new Uint8Array(Buffer.concat([words(0x46546c67, 2, length), ...body]));
 }
 
 /** The JSON of a glTF with one mesh and two accessors. */
