@@ -7,19 +7,12 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { load } from 'geodesic-voronoi';
 import { areaOf, listsOf } from './files.mjs';
-import { apart, grid, octahedron, withFlipped } from './meshes.mjs';
+import { apart, grid, octahedron, placeOf, withFlipped } from './meshes.mjs';
 import { fails, near } from './expectations.mjs';
 
 const gvd = await load();
 
 const centre = [1 / 3, 1 / 3, 1 / 3];
-
-/** The position of a point of the input, from the mesh's own arrays. */
-function positionOf({ positions, indices }, face, bary) {
-  return [0, 1, 2].map((axis) =>
-    bary.reduce((sum, b, corner) => sum + b * positions[3 * indices[3 * face + corner] + axis], 0),
-  );
-}
 
 /** Checks everything that a diagram's arrays promise whatever the surface. */
 function checkArrays(mesh, { data, regions }) {
@@ -30,7 +23,7 @@ function checkArrays(mesh, { data, regions }) {
   assert.equal(points.bary.length, 3 * pointCount);
   assert.equal(points.position.length, 3 * pointCount);
   for (let i = 0; i < pointCount; ++i) {
-    const position = positionOf(mesh, points.face[i], [...points.bary.subarray(3 * i, 3 * i + 3)]);
+    const position = placeOf(mesh, points.face[i], points.bary.subarray(3 * i));
     position.forEach((x, axis) => near(points.position[3 * i + axis], x));
   }
 
@@ -54,7 +47,7 @@ function checkArrays(mesh, { data, regions }) {
   assert.equal(faceLabel.length, mesh.indices.length / 3);
   faceLabel.forEach((label, f) => {
     const corners = [0, 1, 2].map((c) =>
-      positionOf(
+      placeOf(
         mesh,
         f,
         [0, 1, 2].map((k) => Number(k === c)),
@@ -149,8 +142,8 @@ test('one site: the whole surface is its region', async () => {
 test('sites given by vertices are those given by faces', async () => {
   const mesh = await gvd.mesh(grid(3));
   const { sites } = await mesh.voronoi({ vertex: [0, 15] });
-  assert.deepEqual(positionOf(mesh, sites.face[0], [...sites.bary.subarray(0, 3)]), [0, 0, 0]);
-  assert.deepEqual(positionOf(mesh, sites.face[1], [...sites.bary.subarray(3, 6)]), [1, 1, 0]);
+  assert.deepEqual(placeOf(mesh, sites.face[0], sites.bary), [0, 0, 0]);
+  assert.deepEqual(placeOf(mesh, sites.face[1], sites.bary.subarray(3)), [1, 1, 0]);
 });
 
 test('sites that are not on the surface are refused with their index', async () => {

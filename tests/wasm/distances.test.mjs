@@ -14,7 +14,7 @@ import {
   pathsObj,
 } from 'geodesic-voronoi';
 import { assertValidGlb, readPly, threeMeshes } from './files.mjs';
-import { apart, bumpySphere, grid, octahedron, pointAt, withFlipped } from './meshes.mjs';
+import { apart, bumpySphere, grid, octahedron, placeOf, pointAt, withFlipped } from './meshes.mjs';
 import { near } from './expectations.mjs';
 
 const gvd = await load();
@@ -53,13 +53,7 @@ for (const metric of ['exact', 'dgpc'])
       for (const source of [plane, withFlipped(plane, turned)]) {
         const mesh = await gvd.mesh(source);
         const places = Array.from(sites.face, (face, i) =>
-          [0, 1].map((axis) =>
-            [0, 1, 2].reduce(
-              (sum, c) =>
-                sum + sites.bary[3 * i + c] * mesh.positions[3 * mesh.indices[3 * face + c] + axis],
-              0,
-            ),
-          ),
+          placeOf(mesh, face, sites.bary.subarray(3 * i)),
         );
         const { label, distance, direction } = await mesh.distances(sites, { metric });
         label.forEach((site, v) => {
@@ -153,20 +147,14 @@ test('a path is as long as its distance, and crosses edges on its way', async ()
     }
     near(length, path.length, 1e-9 * length, 'in space');
     for (let k = 0; k < 3; ++k) {
-      near(position[k], placeOf(mesh, from)[k]);
-      near(position[3 * end + k], placeOf(mesh, to)[k]);
+      near(position[k], placeOf(mesh, from.face[0], from.bary)[k]);
+      near(position[3 * end + k], placeOf(mesh, to.face[0], to.bary)[k]);
     }
     for (let p = 1; p < end; ++p)
       assert.ok([...bary.subarray(3 * p, 3 * p + 3)].includes(0), 'on an edge');
     diagram.dispose();
   }
 });
-
-function placeOf({ positions, indices }, { face: [face], bary }) {
-  return [0, 1, 2].map((axis) =>
-    [0, 1, 2].reduce((sum, c) => sum + bary[c] * positions[3 * indices[3 * face + c] + axis], 0),
-  );
-}
 
 test('a path leads from a point to its own site, also after changes', async () => {
   for (const metric of ['exact', 'dgpc']) {

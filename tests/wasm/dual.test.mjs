@@ -16,7 +16,7 @@ import {
   total,
   trianglesOf,
 } from './files.mjs';
-import { apart, bumpySphere, grid, octahedron, pointAt, triples } from './meshes.mjs';
+import { apart, bumpySphere, grid, octahedron, pointAt, presentSites, triples } from './meshes.mjs';
 import { near } from './expectations.mjs';
 
 const gvd = await load();
@@ -338,11 +338,7 @@ test('after a site has been removed, everything is about the others, by their la
     await diagram.removeSite(4);
     const { face, bary } = diagram.sites;
     assert.deepEqual([face[4], ...bary.subarray(12, 15)], [-1, 0, 0, 0]);
-    const labels = [...face.keys()].filter((label) => face[label] >= 0);
-    const others = {
-      face: labels.map((label) => face[label]),
-      bary: labels.flatMap((label) => [...bary.subarray(3 * label, 3 * label + 3)]),
-    };
+    const { sites: others, labels } = presentSites(diagram.sites);
     const anew = await mesh.voronoi(others, { metric });
 
     const [dual, expected] = [await diagram.dual(), await anew.dual()];

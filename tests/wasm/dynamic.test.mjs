@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, describe, it } from 'node:test';
 import { load } from 'geodesic-voronoi';
-import { bumpySphere, pointAt } from './meshes.mjs';
+import { bumpySphere, pointAt, presentSites } from './meshes.mjs';
 
 for (const metric of ['exact', 'dgpc'])
   describe(`sites that come, go and move, ${metric}`, () => {
@@ -17,12 +17,7 @@ for (const metric of ['exact', 'dgpc'])
 
     /** The diagram of the sites there are, and the label that each of them has in `diagram`. */
     const computedAnew = async (diagram) => {
-      const { face, bary } = diagram.sites;
-      const labels = [...face.keys()].filter((label) => face[label] >= 0);
-      const sites = {
-        face: labels.map((label) => face[label]),
-        bary: labels.flatMap((label) => [...bary.subarray(3 * label, 3 * label + 3)]),
-      };
+      const { sites, labels } = presentSites(diagram.sites);
       return { anew: await mesh.voronoi(sites, { metric }), labels };
     };
 

@@ -10,7 +10,7 @@ import {
   Int16BufferAttribute,
   Vector3,
 } from 'three';
-import { apart, glb, gltf, grid, octahedron, torn, withFlipped } from './meshes.mjs';
+import { apart, glb, gltf, grid, octahedron, placeOf, torn, withFlipped } from './meshes.mjs';
 import { meshPly } from './model_files.mjs';
 import { fails, near } from './expectations.mjs';
 
@@ -591,12 +591,7 @@ test('closest points: as near as the triangles are, and on the surface', async (
     for (let i = 0; i < face.length; ++i) {
       const place = places.slice(3 * i, 3 * i + 3);
       const found = [...position.subarray(3 * i, 3 * i + 3)];
-      const named = [0, 1, 2].map((k) =>
-        [0, 1, 2].reduce(
-          (sum, n) => sum + bary[3 * i + n] * mesh.positions[3 * mesh.indices[3 * face[i] + n] + k],
-          0,
-        ),
-      );
+      const named = placeOf(mesh, face[i], bary.subarray(3 * i));
       named.forEach((x, k) => near(x, found[k], 1e-12));
       near(Math.hypot(...place.map((x, k) => x - found[k])), distance[i], 1e-12);
       const sampled = sampledDistance(input, place);

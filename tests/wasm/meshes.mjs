@@ -60,6 +60,22 @@ export const pointAt = ({ face, bary }, i) => ({
   bary: bary.slice(3 * i, 3 * i + 3),
 });
 
+/** Where a point of a mesh is; its coordinates are the first three of `bary`. */
+export const placeOf = ({ positions, indices }, face, bary) =>
+  [0, 1, 2].map((axis) =>
+    [0, 1, 2].reduce((sum, c) => sum + bary[c] * positions[3 * indices[3 * face + c] + axis], 0),
+  );
+
+/** A diagram's sites without the labels of removed ones, and the labels of those that are there. */
+export function presentSites({ face, bary }) {
+  const labels = [...face.keys()].filter((label) => face[label] >= 0);
+  const sites = {
+    face: labels.map((label) => face[label]),
+    bary: labels.flatMap((label) => [...bary.subarray(3 * label, 3 * label + 3)]),
+  };
+  return { sites, labels };
+}
+
 /** The JSON and the buffer of a glTF with one mesh, moved by `translation`. */
 export function gltf({ positions, indices }, { translation = [0, 0, 0], uri } = {}) {
   const buffer = Buffer.concat([

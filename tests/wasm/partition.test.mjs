@@ -28,7 +28,7 @@ import {
   total,
   trianglesOf,
 } from './files.mjs';
-import { apart, grid, octahedron, triples, withFlipped } from './meshes.mjs';
+import { apart, grid, octahedron, placeOf, triples, withFlipped } from './meshes.mjs';
 
 const gvd = await load();
 
@@ -109,14 +109,9 @@ test('the parts are the surface', async () => {
     });
     // Every corner is where its triangle's coordinates say.
     triangles.points.forEach((point, c) => {
-      const bary = triangles.bary.subarray(3 * c, 3 * c + 3);
-      for (const axis of [0, 1, 2]) {
-        const x = bary.reduce((sum, b, i) => {
-          const vertex = mesh.indices[3 * triangles.face[Math.floor(c / 3)] + i];
-          return sum + b * mesh.positions[3 * vertex + axis];
-        }, 0);
-        near(x, points.position[3 * point + axis], 1e-9);
-      }
+      const face = triangles.face[Math.floor(c / 3)];
+      const place = placeOf(mesh, face, triangles.bary.subarray(3 * c));
+      place.forEach((x, axis) => near(x, points.position[3 * point + axis], 1e-9));
     });
   }
 });
