@@ -10,6 +10,7 @@ import { test } from 'node:test';
 import { load, partitionGlb } from 'geodesic-voronoi';
 import { makeSamples } from '../../web/page/samples/samples.mjs';
 import { areaOf, assertValidGlb, listsOf, placedTriangles, surfaceOf, total } from './files.mjs';
+import { near } from './expectations.mjs';
 import { triples } from './meshes.mjs';
 import { temporaryFolder } from './temporary_folder.mjs';
 
@@ -22,10 +23,6 @@ const folder = temporaryFolder();
 makeSamples(folder);
 for (const file of readdirSync(folder))
   samples.set(file, await gvd.mesh(readFileSync(join(folder, file))));
-
-function assertNear(actual, expected, what) {
-  assert.ok(Math.abs(actual / expected - 1) < 1e-12, `${what}: ${actual} is not ${expected}`);
-}
 
 /** The share of its input triangle that a triangle has, negative if it is turned over. */
 function shareOf({ triangles: { bary } }, t) {
@@ -68,8 +65,8 @@ for (const metric of ['dgpc', 'exact']) {
       assert.equal(turned.length, repairs.flippedTriangles, file);
 
       assert.equal(regions.area.length, siteCount);
-      assertNear(total([...regions.area]), area, `${file}, regions`);
-      assertNear(total(placedTriangles(partition).map(areaOf)), area, `${file}, triangles`);
+      near(total([...regions.area]) / area, 1, 1e-12, `${file}, regions`);
+      near(total(placedTriangles(partition).map(areaOf)) / area, 1, 1e-12, `${file}, triangles`);
     }
   });
 }
