@@ -446,7 +446,11 @@ test('a zip that is broken, or a bomb, is refused', async () => {
     return copy;
   };
   const { length } = meshObj(octahedron());
+  const cut = Buffer.from(stored); // its content would end beyond it
+  const entry = cut.indexOf('PK\x01\x02');
+  for (const at of [20, 24]) cut.writeUInt32LE(2 ** 20, entry + at);
   for (const [bytes, message] of [
+    [cut, /a\.obj cannot be unpacked/],
     [zip.subarray(0, zip.length - 10), /zip is truncated/],
     [changed(directory, 7), /zip is damaged/],
     [

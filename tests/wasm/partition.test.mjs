@@ -236,6 +236,27 @@ test('GLB: one mesh with feature ids', async () => {
   }
 });
 
+test('GLB: the colours of regions are those of materials, or of vertices', async () => {
+  const mesh = await gvd.mesh(octahedron());
+  const partition = await (await mesh.voronoi({ vertex: [0, 1, 3] })).partition();
+  const colours = [[1, 0, 0.5], undefined, [0, 0.25, 1]];
+  const [first, other, last] = await threeMeshes(partitionGlb(partition, { colours }));
+  assert.deepEqual(first.material.color.toArray(), colours[0]);
+  assert.deepEqual(last.material.color.toArray(), colours[2]);
+  assert.equal(
+    new Set([first, other, last].map(({ material }) => material.color.getHex())).size,
+    3,
+  );
+  const bytes = partitionGlb(partition, { colours, layout: 'features' });
+  const [{ geometry }] = await threeMeshes(bytes);
+  const { color, _feature_id_0: ids } = geometry.attributes;
+  for (let v = 0; v < ids.count; ++v) {
+    const expected = colours[ids.getX(v)];
+    if (!expected) continue;
+    for (const k of [0, 1, 2]) near(color.getComponent(v, k), expected[k], 1 / 255);
+  }
+});
+
 test('OBJ: a group per region, closed where the input is', async () => {
   for await (const { name, mesh, diagram, partition } of cases()) {
     const { v, vt, vn, faces } = readObj(partitionObj(partition, { mesh, scale: 2 }));
