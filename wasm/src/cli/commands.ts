@@ -64,6 +64,7 @@ async function info({ meshes, values }: Request<'info'>): Promise<void> {
       list.push({ ...(!isOnly && { mesh: path }), ...facts });
     } catch (error) {
       if (isOnly) throw error;
+      // If this was the reason, there is no place for a report.
       output.requireNoModel();
       fail(error as Error);
       list.push({ mesh: path, error: (error as Error).message });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // How the command fails.
+
 import { UsageError } from './values.js';
 
 /** Tells an error in one line, and how the command will end: 1 for bad input, 2 for a wrong command line. */

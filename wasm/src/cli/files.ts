@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Files that the command reads and writes.
+
 import { randomUUID } from 'node:crypto';
 import { createReadStream, rmSync } from 'node:fs';
 import {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The facts of a mesh, as `info` prints them.
+
 import type { MeshInfo } from '../api/results.js';
 import { integer, repairSentences } from '../base/sentences.js';
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Shortest paths between the points that the command is given.
+
 import type { SurfacePath, SurfacePoints } from '../api/results.js';
 import { partOf } from '../base/slices.js';
 import type { SurfacePointsInput } from '../api/options.js';

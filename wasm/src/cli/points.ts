@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Lists that the command reads: points and numbers.
+
 import { isJson, readJson, readPointsFile } from '../input/points_reader.js';
 import { type PointsFile, pointsFile } from '../input/points_file.js';
 import { exists, FileError, readBytes } from './files.js';

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The bar of `--progress`.
+
 import type { Values } from './options.js';
 
 const width = 40;

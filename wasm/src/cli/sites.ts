@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The mesh of a command and its sites: read from files, or sampled.
+
 import { GeodesicVoronoiError } from '../api/errors.js';
 import { toPoints } from '../library/arguments.js';
 import { load } from '../node.js';
@@ -14,10 +15,11 @@ import { type NamedPoints, readPoints } from './points.js';
 import { withProgress } from './progress.js';
 import type { Lengths } from './values.js';
 
-/** The options that all commands with sites have; those of `info` all have. */
+/** The options of every command with sites. (`Values<'info'>` are those of every command.) */
 export type SiteValues = Values<'distances'>;
 /** Whether standard error gets notes. */
 export type Notices = Pick<Values, 'quiet'>;
+
 /** Opens a mesh whose result goes to an output, which may be none of the model's files. */
 export async function openMesh(
   path: string,

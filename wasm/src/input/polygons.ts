@@ -69,21 +69,22 @@ export class Polygons {
     const notes = notesOf(larger.length / 2, this.#passedOver);
     if (larger.length === 0) return { indices: corners, notes };
     const indices = new Int32Array(3 * this.#triangles);
-    let [at, behind] = [0, 0];
+    // How many of the indices are there, and of which corners.
+    let [at, taken] = [0, 0];
     for (let i = 0; i <= larger.length; i += 2) {
       const isLast = i === larger.length;
       const start = isLast ? corners.length : larger[i];
-      for (; behind < start; yield 1) {
-        const triangles = corners.subarray(behind, Math.min(start, behind + trianglesPerStep * 3));
+      for (; taken < start; yield 1) {
+        const triangles = corners.subarray(taken, Math.min(start, taken + trianglesPerStep * 3));
         indices.set(triangles, at);
         at += triangles.length;
-        behind += triangles.length;
+        taken += triangles.length;
       }
       if (isLast) break;
       const polygon = corners.subarray(start, start + larger[i + 1]);
       indices.set(cutPolygon(polygon, positions), at);
       at += 3 * (polygon.length - 2);
-      behind += polygon.length;
+      taken += polygon.length;
       yield 1;
     }
     return { indices, notes };

@@ -25,14 +25,18 @@ export class TextWords {
   readonly #bytes: Uint8Array;
   readonly #comment: number | undefined;
   readonly #decoder = new TextDecoder();
+  /** Bytes that have been decoded. */
   #read = 0;
   /** Decoded text still needed: from the start of the line, or of the last word in a long line. */
   #text = '';
+  /** Where in that text the next letter is, and where the line began, or what is kept of it. */
   #at = 0;
   #lineStart = 0;
+  /** How a long line began, when that is not kept any more. */
   #lineHead = '';
   /** Lines that have ended. */
   #ended: number;
+  /** The number of the line that is read; 0 before the first one. */
   #line = 0;
 
   constructor(bytes: Uint8Array, { linesBefore = 0, hasComments = false }: TextOptions = {}) {
