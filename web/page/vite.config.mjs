@@ -52,8 +52,8 @@ const neededByNothing = {
 
 /**
  * Modules of three.js that its renderer makes or names, but that do nothing here: virtual reality,
- * shadows, clipping planes, morph targets, light probes, passes after the picture, uniforms in groups.
- * Stubs replace them, with just the members that the renderer uses in any case.
+ * shadows, clipping planes, surroundings, morph targets, light probes, passes after the picture,
+ * uniforms in groups. Stubs replace them, with just the members that the renderer uses in any case.
  */
 const idleModules = {
   'extras/PMREMGenerator.js': 'export class PMREMGenerator {}',
@@ -66,6 +66,8 @@ const idleModules = {
         return false;
       }
     }`,
+  'renderers/webgl/WebGLEnvironments.js':
+    'export class WebGLEnvironments { get() { return null; } dispose() {} }',
   'renderers/webgl/WebGLMorphtargets.js': 'export class WebGLMorphtargets {}',
   'renderers/webgl/WebGLOutput.js': 'export class WebGLOutput {}',
   'renderers/webgl/WebGLShadowMap.js':
