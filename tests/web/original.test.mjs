@@ -204,6 +204,18 @@ test('an unlit material is drawn like any other', async () => {
   assert.deepEqual(colours, { isFound: true, textures: 1 });
 });
 
+test('pictures that are not drawn are not read', async () => {
+  const viewer = await browser.open();
+  const { textures, images, ...json } = JSON.parse(square());
+  textures.push({ source: images.push({ uri: 'missing.png' }) - 1 });
+  json.materials[0].normalTexture = { index: 1 };
+  const bumpy = JSON.stringify({ ...json, textures, images });
+  const messages = [];
+  viewer.page.on('console', (message) => messages.push(message.text()));
+  assert.deepEqual(await shown(viewer, { 'bumpy.gltf': bumpy }), { isFound: true, textures: 1 });
+  assert.deepEqual(messages, []);
+});
+
 test('bisectors are seen on a surface of any colour', async () => {
   const viewer = await browser.open({
     viewport: { width: 1100, height: 420 },

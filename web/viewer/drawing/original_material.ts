@@ -83,16 +83,8 @@ export async function originalMaterial(
 
 /** Gives a part the lighting of the other layers. Skins are not posed, as in the library's mesh. */
 function plainly(part: Mesh): Mesh {
-  // Unlit materials have no flat shading.
-  const {
-    color,
-    map,
-    vertexColors,
-    transparent,
-    opacity,
-    alphaTest,
-    flatShading = false,
-  } = part.material as MeshStandardMaterial;
+  const { color, map, vertexColors, transparent, opacity, alphaTest, flatShading } =
+    part.material as MeshStandardMaterial;
   const material = new MeshLambertMaterial({
     ...{ color, map, vertexColors, transparent, opacity, alphaTest, flatShading },
     side: DoubleSide,
@@ -148,11 +140,28 @@ async function gltfScene(bytes: Uint8Array, resource: Resource): Promise<Object3
   const loader = new GLTFLoader();
   loader.setMeshoptDecoder(MeshoptDecoder);
   loader.register((parser) => {
+    keepColours(parser);
     readFrom(parser, resource);
     return { name: 'given files' };
   });
   const { scenes, scene } = await loader.parseAsync(bytes.slice().buffer, '');
   return (scene as Object3D | undefined) ?? scenes[0];
+}
+
+/** What is drawn of a glTF's material, as the file has it. */
+interface GltfColours {
+  pbrMetallicRoughness?: { baseColorFactor?: number[]; baseColorTexture?: object };
+  alphaMode?: string;
+  alphaCutoff?: number;
+}
+
+/** Leaves out of a file's materials what is not drawn: three.js would read and decode its pictures. */
+function keepColours({ json }: GLTFParser): void {
+  json.materials = json.materials?.map((material: GltfColours): GltfColours => {
+    const { pbrMetallicRoughness, alphaMode, alphaCutoff } = material;
+    const { baseColorFactor, baseColorTexture } = pbrMetallicRoughness ?? {};
+    return { pbrMetallicRoughness: { baseColorFactor, baseColorTexture }, alphaMode, alphaCutoff };
+  });
 }
 
 /** A part of three.js that its types leave out. */
