@@ -101,6 +101,19 @@ suite('the centroidal tessellation', () => {
     assert.equal((await iterations()).length, number, 'nothing goes on behind one’s back');
   });
 
+  test('a key that is held begins it once', async () => {
+    await viewer.evaluate((viewer) => viewer.setAttribute('cvt-iterations', '1000'));
+    await viewer.page.locator('#viewer').focus();
+    await viewer.page.keyboard.down(' ');
+    await viewer.page.keyboard.down(' '); // as the keyboard repeats it
+    assert.equal(await viewer.evaluate(({ cvtStatus }) => cvtStatus), 'running');
+    await viewer.page.keyboard.up(' ');
+    await reached(2);
+    await viewer.after('diagram', () => viewer.page.keyboard.press(' '));
+    assert.equal(await viewer.evaluate(({ cvtStatus }) => cvtStatus), 'paused');
+    await viewer.after('diagram', () => press('#cvt-reset'));
+  });
+
   test('a pause before the first iteration tells of no other diagram', async () => {
     const told = await viewer.evaluate(async (viewer) => {
       const diagrams = [];

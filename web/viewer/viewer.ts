@@ -120,6 +120,8 @@ export class Viewer implements Workpiece {
       const command = commandOf(event);
       if (command === undefined || !(this.attributes.interactive.edit || isOfView(command))) return;
       event.preventDefault();
+      // A key that is held repeats its command; a tessellation would begin and pause by turns.
+      if (event.repeat && command === 'play-cvt') return;
       perform(command, this);
     });
     watchTheme(() => this.#adoptTheme(), signal);
