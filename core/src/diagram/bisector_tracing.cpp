@@ -14,8 +14,8 @@
 
 namespace gvd {
 
-BisectorTracing::BisectorTracing(const FaceComplex& complex, NodePoints& nodePoints,
-                                 BisectorGraph& graph, Diagram& diagram)
+BisectorTracing::BisectorTracing(FaceComplex& complex, NodePoints& nodePoints, BisectorGraph& graph,
+                                 Diagram& diagram)
     : mesh_(complex.mesh()),
       complex_(complex),
       graph_(graph),
@@ -24,11 +24,17 @@ BisectorTracing::BisectorTracing(const FaceComplex& complex, NodePoints& nodePoi
       points_(complex, nodePoints, graph) {}
 
 bool BisectorTracing::step(long& budget) {
-  return sequence_.run(
-      [&] { return fillInSlices(out_.regionArea, out_.siteCount, 0.0, budget); },
-      [&] { return fillInSlices(out_.faceLabel, complex_.faceCount(), Diagram::kMixed, budget); },
-      [&] { return points_.prepare(budget); }, [&] { reserve(); },
-      [&] { return divideAll(budget); });
+  return sequence_.run([&] { return fillInSlices(out_.regionArea, out_.siteCount, 0.0, budget); },
+                       [&] {
+                         return complex_.hasFacesOnly() ||
+                                fillInSlices(out_.faceLabel, complex_.faceCount(), Diagram::kMixed,
+                                             budget);
+                       },
+                       [&] { return points_.prepare(budget); }, [&] { reserve(); },
+                       [&] { return divideAll(budget); },
+                       [&] {
+                         if (complex_.hasFacesOnly()) out_.faceLabel = complex_.takeSoleOwners();
+                       });
 }
 
 /// Reserves the usual memory: most mixed elements have two cells, and every site adds some corners
@@ -88,7 +94,6 @@ void BisectorTracing::assignUntil(int end) {
   double area = 0;
   for (; next_ < end; ++next_) {
     const int owner = complex_.soleOwner(next_);
-    out_.faceLabel[next_] = owner;
     if (owner != last) {
       if (last >= 0) out_.regionArea[last] = area;
       area = out_.regionArea[owner];
@@ -106,7 +111,7 @@ void BisectorTracing::assign(int element, int owner) {
     return;
   }
   const int face = complex_.face(element);
-  out_.faceLabel[complex_.faceIndex(face)] = owner;
+  if (!complex_.hasFacesOnly()) out_.faceLabel[complex_.faceIndex(face)] = owner;
   if (owner >= 0) out_.regionArea[owner] += mesh_.faceArea(face);
 }
 

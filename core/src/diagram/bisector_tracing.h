@@ -20,8 +20,8 @@ namespace gvd {
 class BisectorTracing {
  public:
   /// Sets the areas of regions, the labels of faces and the indifferent faces of `diagram`, whose
-  /// number of sites is set.
-  BisectorTracing(const FaceComplex& complex, NodePoints& nodePoints, BisectorGraph& graph,
+  /// number of sites is set. Takes the sole owners out of a complex of faces: they are the labels.
+  BisectorTracing(FaceComplex& complex, NodePoints& nodePoints, BisectorGraph& graph,
                   Diagram& diagram);
   /// True when the graph is complete.
   bool step(long& budget);
@@ -47,7 +47,7 @@ class BisectorTracing {
   void arrive(int point, int label, int dart);
 
   const TriangleMesh& mesh_;
-  const FaceComplex& complex_;
+  FaceComplex& complex_;
   BisectorGraph& graph_;
   Diagram& out_;
 

@@ -38,7 +38,10 @@ bool ComplexBuilding::step(long& budget) {
       },
       [&] { return complex_.twins_.prepare(complex_.elements_.tail.size(), budget); },
       forEach(complex_.elements_.tail, budget, kQuickRounds, [&](int h) { matchTwin(h); }),
-      [&] { complex_.soleOwner_.reserve(complex_.elementCount()); },
+      [&] {
+        complex_.soleOwner_.reserve(complex_.elementCount());
+        complex_.undecided_.reserve(complex_.elementCount());
+      },
       [&](SlicedLoop& loop) {
         return loop.run(complex_.elementCount(), budget, kQuickRounds,
                         [&](int e) { findOwner(e); });

@@ -41,7 +41,7 @@ class Tracing final : public SlicedWork<TracedDiagram> {
 
   bool advance(long budget) override {
     return sequence_.run(
-        [&] { return building_.step(budget); },
+        [&] { return building_.step(budget); }, [&] { requireLabels(); },
         [&] { return complex_.hasFacesOnly() || runPart(completion_, budget, complex_); },
         [&] { return isUnreliable() || trace(budget); });
   }
@@ -61,6 +61,13 @@ class Tracing final : public SlicedWork<TracedDiagram> {
   /// Whether labels were added in a part. Their regions may then go on into faces outside of it.
   bool isUnreliable() const {
     return !isTraced_.empty() && completion_ && completion_->hasAddedLabels();
+  }
+
+  void requireLabels() const {
+    const int highest = complex_.nodes().highestLabel();
+    if (highest >= out_.siteCount)
+      rejectArgument("there are distances of site " + std::to_string(highest) +
+                     ", but the number of sites is " + std::to_string(out_.siteCount));
   }
 
   bool trace(long& budget) {
@@ -117,34 +124,19 @@ int validDetail(const DiagramOptions& options) {
   return options.detail;
 }
 
-void requireLabels(std::span<const LabelledDistance> known, int siteCount) {
-  if (known.empty() || known.back().label < siteCount) return;
-  rejectArgument("there are distances of site " + std::to_string(known.back().label) +
-                 ", but the number of sites is " + std::to_string(siteCount));
-}
-
 /// The tracing of all of a diagram.
 class FullTracing final : public SlicedWork<TracedDiagram> {
  public:
   FullTracing(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
               const DiagramOptions& options)
-      : distances_(distances),
-        siteCount_(siteCount),
-        building_(mesh, distances, validDetail(options), ComplexBuilding::Extent::kMesh),
+      : building_(mesh, distances, validDetail(options), ComplexBuilding::Extent::kMesh),
         tracing_(distances, building_, siteCount, {}, nodePoints_) {}
 
-  bool advance(long budget) override {
-    return sequence_.run(forEach(building_.complex().mesh().vertexCount(), budget, kQuickRounds,
-                                 [&](int v) { requireLabels(distances_.at(v), siteCount_); }),
-                         [&] { return tracing_.step(budget); });
-  }
+  bool advance(long budget) override { return tracing_.step(budget); }
   double share() const override { return tracing_.progress(); }
   TracedDiagram result() override { return tracing_.take(); }
 
  private:
-  const DistanceField& distances_;
-  const int siteCount_;
-  SlicedSequence sequence_;
   ComplexBuilding building_;
   NodePoints nodePoints_;
   Tracing tracing_;

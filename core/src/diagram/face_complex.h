@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "diagram/elements.h"
@@ -66,6 +67,7 @@ class FaceComplex {
   /// The label that owns all of an element: the owner of all its nodes. `Diagram::kUnreachable` if
   /// they have none, `Diagram::kMixed` if they have several.
   int soleOwner(int element) const { return soleOwner_[element]; }
+  std::vector<int> takeSoleOwners() { return std::move(soleOwner_); }
   /// The elements, ascending, that are mixed, have no owner, or have ties at all nodes, where two
   /// labels may tie on all of the element.
   const std::vector<int>& undecided() const { return undecided_; }

@@ -6,13 +6,13 @@
 #include <utility>
 
 #include "distance/labelled_distances.h"
-#include "gvd/diagram.h"
 
 namespace gvd {
 
 void NodeLabels::clear(std::span<const int> nodes) {
   for (const int node : nodes) nodes_[node] = {};
   nodes_.resize(vertexCount_);
+  highestLabel_ = -1;
   for (const Midpoint& m : midpoints_)
     for (const int end : m.ends) lists_[end] = {};
   midpoints_.clear();
@@ -21,9 +21,11 @@ void NodeLabels::clear(std::span<const int> nodes) {
 }
 
 void NodeLabels::noteOwner(int node) {
+  const auto known = labels(node);
+  if (!known.empty()) highestLabel_ = std::max(highestLabel_, known.back().label);
   LabelledDistance nearest;
   bool hasTie = false;
-  for (const LabelledDistance& d : labels(node)) {  // choices, as a branch could not be predicted
+  for (const LabelledDistance& d : known) {  // choices, as a branch could not be predicted
     const bool isNearer = d.distance < nearest.distance, isTie = d.distance == nearest.distance;
     hasTie = (hasTie & !isNearer) | isTie;
     nearest.label = isNearer ? d.label : nearest.label;
@@ -31,12 +33,6 @@ void NodeLabels::noteOwner(int node) {
   }
   nodes_[node].owner = nearest.label;
   nodes_[node].hasTie = hasTie;
-}
-
-int NodeLabels::commonOwner(const int* nodes) const {
-  const int first = owner(nodes[0]), second = owner(nodes[1]), third = owner(nodes[2]);
-  const bool isCommon = (first == second) & (second == third);
-  return isCommon ? first : Diagram::kMixed;
 }
 
 void NodeLabels::addLabel(int node, LabelledDistance added) {

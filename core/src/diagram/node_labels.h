@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "gvd/diagram.h"
 #include "gvd/geodesic.h"
 
 namespace gvd {
@@ -38,7 +39,13 @@ class NodeLabels {
   /// Whether another label is as near.
   bool hasTie(int node) const { return nodes_[node].hasTie; }
   /// The owner of all three nodes, else `Diagram::kMixed`.
-  int commonOwner(const int* nodes) const;
+  int commonOwner(const int* nodes) const {
+    const int first = owner(nodes[0]), second = owner(nodes[1]), third = owner(nodes[2]);
+    const bool isCommon = (first == second) & (second == third);
+    return isCommon ? first : Diagram::kMixed;
+  }
+  /// The highest label known at any node whose owner has been found, -1 if there is none.
+  int highestLabel() const { return highestLabel_; }
 
   /// Whether labels have been added at a node.
   bool hasAddedLabels(int node) const { return nodes_[node].hasAddedLabels; }
@@ -103,6 +110,7 @@ class NodeLabels {
   const DistanceField& distances_;
   const int vertexCount_;
   std::vector<Node> nodes_;
+  int highestLabel_ = -1;
   std::deque<Midpoint> midpoints_;   ///< the nodes after the vertices
   std::vector<MidpointList> lists_;  ///< per node
   /// The labels of midpoints, list after list, each in one chunk.
