@@ -51,9 +51,9 @@ struct BisectorGraph {
   PointLists cells;
   std::vector<int> cellFace, cellLabel;
 
-  int labelOf(int dart) const { return segments[dart / 2].labels[dart % 2]; }
-  int tail(int dart) const { return segments[dart / 2].points[dart % 2]; }
-  int tip(int dart) const { return segments[dart / 2].points[1 - dart % 2]; }
+  int labelOf(int dart) const { return segments[dart >> 1].labels[dart & 1]; }
+  int tail(int dart) const { return segments[dart >> 1].points[dart & 1]; }
+  int tip(int dart) const { return segments[dart >> 1].points[~dart & 1]; }
   bool isNode(int point) const { return points[point].labels[0] < 0; }
   /// Whether three regions meet at a point.
   bool isInner(int point) const { return points[point].labels[2] >= 0; }

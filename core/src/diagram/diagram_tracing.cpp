@@ -77,7 +77,7 @@ class Tracing final : public SlicedWork<TracedDiagram> {
         [&] {
           return runPart(outlines_, budget, mesh_, distances_, nodePoints_, isTraced_, graph_);
         },
-        [&] { return points_.prepare(budget); },
+        [&] { release(graph_.nextDart); }, [&] { return points_.prepare(budget); },
         [&] {
           return runPart(segments_, budget, mesh_, graph_, outlines_->boundarySteps(), points_,
                          out_);

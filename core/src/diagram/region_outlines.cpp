@@ -72,8 +72,9 @@ bool RegionOutlines::traceRings(long& budget) {
   for (; nextDart_ < count; ++nextDart_) {
     if (nextDart_ % kQuickRounds == 0) --budget;
     if (budget < 0) return false;
+    if (isVisited_[nextDart_]) continue;
     const int label = graph_.labelOf(nextDart_);
-    if (isVisited_[nextDart_] || !isTraced(label)) continue;
+    if (!isTraced(label)) continue;
     addRing(
         label, [&](auto visit) { walkRing(nextDart_, visit); }, budget);
   }
@@ -90,7 +91,7 @@ void RegionOutlines::walkRing(int start, Visit visit) {
     if (++count > isVisited_.size())
       throw std::logic_error("a region's outline does not come back to where it begins");
     isVisited_[dart] = true;
-    visit(graph_.tail(dart), graph_.segments[dart / 2].face, false);
+    visit(graph_.tail(dart), graph_.segments[dart >> 1].face, false);
     const int next = graph_.nextDart[dart];
     dart = next >= 0 ? next : followBoundary(graph_.tip(dart), label, visit);
   } while (dart != start);
