@@ -24,10 +24,10 @@ struct BisectorGraph {
   /// A point where bisectors meet or cross a side, or a node that is a corner of a cell or of an
   /// outline on the mesh boundary.
   struct Point {
-    double error;               ///< bound on the rounding of its place, barycentric
     std::array<int, 3> labels;  ///< of the regions that meet here, -1 for none; a node has none
     std::array<int, 3> darts;   ///< per label, the first dart added here, -1 for none
-    int nextOnSide;             ///< the next point on the same side, -1 for none
+    int side;  ///< that it is on: the lower of the two halfedges there; -1 for none
+    int next;  ///< in the list of the side's element (`ElementPoints`), -1 for none
   };
   /// A point on the mesh boundary where, going forward, the region `before` ends and `after`
   /// begins; `start` is where its element's part of the halfedge begins.
@@ -62,10 +62,9 @@ struct BisectorGraph {
     return p.darts[p.labels[0] == label ? 0 : p.labels[1] == label ? 1 : 2];
   }
 
-  int addPoint(int face, const Eigen::Vector3d& bary, double error, int labelA, int labelB,
-               int labelC);
+  int addPoint(int face, const Eigen::Vector3d& bary, int labelA, int labelB, int labelC);
   /// A point with the place of a node.
-  int addNode(int face, const Eigen::Vector3d& bary) { return addPoint(face, bary, 0, -1, -1, -1); }
+  int addNode(int face, const Eigen::Vector3d& bary) { return addPoint(face, bary, -1, -1, -1); }
   void addSegment(int from, int to, int left, int right, int face);
   /// Makes a cell of the points added to `cells` since the last one.
   void closeCell(int face, int label) {
@@ -108,15 +107,14 @@ class NodePoints {
 // The functions below write number by number. The numbers are still in registers; assembling a
 // struct first and copying it in larger pieces would have to wait for memory.
 
-inline int BisectorGraph::addPoint(int face, const Eigen::Vector3d& bary, double error, int labelA,
-                                   int labelB, int labelC) {
+inline int BisectorGraph::addPoint(int face, const Eigen::Vector3d& bary, int labelA, int labelB,
+                                   int labelC) {
   Point& point = points.emplace_back();
-  point.error = error;
   point.labels[0] = labelA;
   point.labels[1] = labelB;
   point.labels[2] = labelC;
   for (int i = 0; i < 3; ++i) point.darts[i] = -1;
-  point.nextOnSide = -1;
+  point.side = point.next = -1;
   SurfacePoint& place = places.emplace_back();
   place.face = face;
   for (int i = 0; i < 3; ++i) place.bary[i] = bary[i];

@@ -152,44 +152,48 @@ long BisectorTracing::divide(int element) {
 
 /// Returns its area as a share of the face.
 double BisectorTracing::addCell(int element, const FaceEnvelope::Cell& cell) {
-  const size_t n = cell.sides.size();
-  const Eigen::Vector3d& origin = placed_[cell.sides[0].vertex].bary;
+  const std::span<const FaceEnvelope::CellSide> sides = cell.sides;
+  const int first = sides.front().vertex;
   double area = 0;
-  for (size_t i = 0; i < n; ++i) {
-    const auto [vertex, across] = cell.sides[i];
-    const PlacedVertex& from = placed_[vertex];
-    const PlacedVertex& to = placed_[cell.sides[i + 1 < n ? i + 1 : 0].vertex];
-    graph_.cells.points.push_back(from.point);
-    area += areaShare(origin, from.bary, to.bary);
+  for (size_t i = 0; i < sides.size(); ++i) {
+    const auto [vertex, across] = sides[i];
+    const bool isLast = i + 1 == sides.size();
+    const int next = isLast ? first : sides[i + 1].vertex;
+    graph_.cells.points.push_back(placed_[vertex].point);
+    if (i > 0 && !isLast)
+      area += areaShare(placed_[first].bary, placed_[vertex].bary, placed_[next].bary);
     if (across > cell.function) {
-      addSegment(element, from, to, envelope_.label(cell.function), envelope_.label(across));
+      addSegment(element, vertex, next, envelope_.label(cell.function), envelope_.label(across));
     } else if (FaceEnvelope::isTriangleSide(across)) {
       const int side = FaceEnvelope::triangleSide(across);
-      if (complex_.twin(3 * element + side) < 0) addUnmatchedSide(element, side, vertex);
+      if (complex_.twin(element, side) < 0) addUnmatchedSide(element, side, vertex);
     }
   }
   return area;
 }
 
-void BisectorTracing::addSegment(int element, const PlacedVertex& from, const PlacedVertex& to,
-                                 int left, int right) {
+/// `tail` and `tip` are vertices of the envelope.
+void BisectorTracing::addSegment(int element, int tail, int tip, int left, int right) {
+  const int from = placed_[tail].point, to = placed_[tip].point;
   const int dart = 2 * static_cast<int>(graph_.segments.size());
-  graph_.addSegment(from.point, to.point, left, right, complex_.face(element));
-  leave(from.point, left, dart);
-  arrive(from.point, right, dart + 1);
-  arrive(to.point, left, dart);
-  leave(to.point, right, dart + 1);
-  if (!mayBeOne(from, to)) return;
-  const double error = graph_.points[from.point].error + graph_.points[to.point].error;
-  if ((from.bary - to.bary).lpNorm<Eigen::Infinity>() <= error) graph_.unite(from.point, to.point);
+  graph_.addSegment(from, to, left, right, complex_.face(element));
+  leave(from, left, dart);
+  arrive(from, right, dart + 1);
+  arrive(to, left, dart);
+  leave(to, right, dart + 1);
+  if (points_.overlap(envelope_, tail, tip) && mayBeOne(tail, tip)) graph_.unite(from, to);
 }
 
 /// Whether the ends of a segment may be merged. Merging must not join points of two sides beside
 /// their common corner without the corner itself: that would pinch off the surface.
-bool BisectorTracing::mayBeOne(const PlacedVertex& a, const PlacedVertex& b) {
-  if (!a.isInside && !b.isInside) return false;
-  if (!a.isNearCorner && !b.isNearCorner) return true;
-  return graph_.isNode(graph_.merging.root(a.point)) || graph_.isNode(graph_.merging.root(b.point));
+bool BisectorTracing::mayBeOne(int tail, int tip) {
+  const int from = placed_[tail].point, to = placed_[tip].point;
+  if (!graph_.isInner(from) && !graph_.isInner(to)) return false;
+  const auto isNearCorner = [&](int vertex) {
+    return points_.isNearCorner(envelope_, envelope_.vertices()[vertex]);
+  };
+  if (!isNearCorner(tail) && !isNearCorner(tip)) return true;
+  return graph_.isNode(graph_.merging.root(from)) || graph_.isNode(graph_.merging.root(to));
 }
 
 /// Notes that a dart of a region leaves a point, and links the dart that arrives there, once both

@@ -40,9 +40,8 @@ class BisectorTracing {
   void addAreas(double faceArea);
   void addUnmatchedSide(int element, int side, int vertex);
   void addBoundaryPoint(int h, int vertex);
-  bool mayBeOne(const PlacedVertex& a, const PlacedVertex& b);
-  void addSegment(int element, const PlacedVertex& from, const PlacedVertex& to, int left,
-                  int right);
+  void addSegment(int element, int tail, int tip, int left, int right);
+  bool mayBeOne(int tail, int tip);
   void leave(int point, int label, int dart);
   void arrive(int point, int label, int dart);
 

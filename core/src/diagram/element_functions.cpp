@@ -25,7 +25,8 @@ std::span<const LabelFunction> ElementFunctions::of(int element) {
              atC = complex_.nodes().labels(node[2]);
   // The labels known at all three nodes, without branches for a processor to guess wrong: each
   // round writes a function, and the next one writes over it if it was not of all three nodes.
-  functions_.resize(std::min({atA.size(), atB.size(), atC.size()}) + 1);
+  const size_t most = std::min({atA.size(), atB.size(), atC.size()}) + 1;
+  if (functions_.size() < most) functions_.resize(most);
   LabelFunction* next = functions_.data();
   for (auto a = atA.begin(), b = atB.begin(), c = atC.begin();
        a != atA.end() && b != atB.end() && c != atC.end();) {
@@ -41,23 +42,24 @@ std::span<const LabelFunction> ElementFunctions::of(int element) {
     b += isCommon | (ofB < label);
     c += isCommon | (ofC < label);
   }
-  functions_.resize(next - functions_.data());
-  if (functions_.empty()) rejectDistances();
-  if (functions_.size() > 3) dropDominated(node);
-  return functions_;
+  const std::span<LabelFunction> common(functions_.data(), next);
+  if (common.empty()) rejectDistances();
+  return common.size() > 3 ? withoutDominated(common, node) : common;
 }
 
-void ElementFunctions::dropDominated(const int* nodes) {
+/// Moves the functions that are kept to the front, and returns these.
+std::span<LabelFunction> ElementFunctions::withoutDominated(std::span<LabelFunction> functions,
+                                                            const int* nodes) const {
   std::array<LabelFunction, 3> owners;
   for (int i = 0; i < 3; ++i) {
     const auto owner = std::find_if(
-        functions_.begin(), functions_.end(),
+        functions.begin(), functions.end(),
         [&](const LabelFunction& f) { return f.label == complex_.nodes().owner(nodes[i]); });
-    if (owner == functions_.end()) rejectDistances();
+    if (owner == functions.end()) rejectDistances();
     owners[i] = *owner;
   }
-  LabelFunction* kept = functions_.data();
-  for (const LabelFunction& f : functions_) {
+  LabelFunction* kept = functions.data();
+  for (const LabelFunction& f : functions) {
     bool isDominated = false;  // by one owner at all nodes; without branches as above
     for (const LabelFunction& owner : owners) {
       const int isLower = owner.label < f.label;
@@ -69,7 +71,7 @@ void ElementFunctions::dropDominated(const int* nodes) {
     *kept = f;
     kept += !isDominated;
   }
-  functions_.resize(kept - functions_.data());
+  return {functions.data(), kept};
 }
 
 }  // namespace gvd

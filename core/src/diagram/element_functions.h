@@ -19,13 +19,14 @@ class ElementFunctions {
   std::span<const LabelFunction> of(int element);
 
  private:
-  void dropDominated(const int* nodes);
+  std::span<LabelFunction> withoutDominated(std::span<LabelFunction> functions,
+                                            const int* nodes) const;
 
   const FaceComplex& complex_;
   /// Scales distances to about 1, because determinants multiply six of them. A power of two, so
   /// that scaling does not round.
   const double unit_;
-  std::vector<LabelFunction> functions_;
+  std::vector<LabelFunction> functions_;  ///< of the element first; never shortened
 };
 
 }  // namespace gvd

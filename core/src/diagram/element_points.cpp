@@ -13,6 +13,10 @@
 namespace gvd {
 namespace {
 
+/// Points nearer than this may become one: 64 times the largest error bound, because a chain of
+/// merged points may be as long.
+constexpr double kNear = 64 * kMaxPointError;
+
 /// The error of a place where functions are equal, in barycentric coordinates: the noise of their
 /// differences over the slope.
 double placeError(double noise, double slope) {
@@ -30,12 +34,28 @@ double insideError(const FaceEnvelope& envelope, const FaceEnvelope::Vertex& v) 
   return placeError(noise, p.cross(q).lpNorm<1>());
 }
 
-/// The error of a vertex on a side, where two functions are equal.
+/// The error of a vertex on a side, where two functions are equal. The same in both triangles.
 double sideError(const FaceEnvelope& envelope, const FaceEnvelope::Vertex& v) {
   const int i = v.place, j = cornerAfter(i);
   const auto &a = envelope.value(v.functions[0]), &b = envelope.value(v.functions[1]);
   const double noise = 2 * kDistanceTolerance * std::max({a[i], a[j], b[i], b[j]});
   return placeError(noise, std::abs((a[i] - b[i]) - (a[j] - b[j])));
+}
+
+/// The error of a vertex, at most `kMaxPointError`.
+double errorOf(const FaceEnvelope& envelope, const FaceEnvelope::Vertex& v) {
+  switch (v.kind) {
+    case FaceEnvelope::Vertex::kInside:
+      return insideError(envelope, v);
+    case FaceEnvelope::Vertex::kOnSide:
+      return sideError(envelope, v);
+    default:
+      return 0;
+  }
+}
+
+double largestDifference(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return (a - b).lpNorm<Eigen::Infinity>();
 }
 
 }  // namespace
@@ -47,42 +67,51 @@ ElementPoints::ElementPoints(const FaceComplex& complex, NodePoints& nodePoints,
 bool ElementPoints::prepare(long& budget) {
   return sequence_.run(
       [&] { return nodePoints_.resize(complex_.nodes().count(), budget); },
-      [&] { return fillInSlices(firstOnSide_, 3 * complex_.elementCount(), -1, budget); });
+      [&] { return fillInSlices(firstPoint_, complex_.elementCount(), -1, budget); });
 }
 
 std::span<const ElementPoints::PlacedVertex> ElementPoints::of(int element,
                                                                const FaceEnvelope& envelope) {
   const std::vector<Vertex>& vertices = envelope.vertices();
   placed_.assign(vertices.size(), {});
+  for (int i = 0; i < 3; ++i)
+    placed_[i].bary = complex_.faceBary(element, Eigen::Vector3d::Unit(i));
   const bool isFace = complex_.isFace(element);
   bool hasInnerPoint = false;
   for (const FaceEnvelope::Cell& cell : envelope.cells())
     for (const auto& [vertex, across] : cell.sides) {
       PlacedVertex& placed = placed_[vertex];
       if (placed.point >= 0) continue;
-      const Vertex& v = vertices[vertex];
-      envelope.setBary(v, placed.bary);
-      if (v.kind == Vertex::kInside) {
-        placed.isInside = hasInnerPoint = true;
-        placed.isNearCorner = isNearCorner(element, placed.bary);
+      if (vertex < 3) {
+        placed.point = atNode(element, complex_.nodesOf(element)[vertex], placed.bary);
+        continue;
       }
+      const Vertex& v = vertices[vertex];
+      const bool isInside = v.kind == Vertex::kInside;
+      envelope.setBary(v, placed.bary);
       if (!isFace) placed.bary = complex_.faceBary(element, placed.bary);
-      placed.point = make(element, envelope, v, placed.bary);
+      placed.point = isInside ? addInside(element, envelope, v, placed.bary)
+                              : makeOnSide(element, envelope, v, placed.bary);
+      hasInnerPoint |= isInside;
     }
-  if (hasInnerPoint) tellApartInnerPoints(complex_.face(element));
+  if (hasInnerPoint) tellApartInnerPoints(complex_.face(element), vertices);
   return placed_;
 }
 
-/// Whether a point, given in the element, is near two of its sides. The limit is 64 times the
-/// largest error bound, because a chain of merged points may reach nearer to the corner.
-bool ElementPoints::isNearCorner(int element, const Eigen::Vector3d& bary) const {
-  constexpr double kNear = 64 * kMaxPointError;
+bool ElementPoints::overlap(const FaceEnvelope& envelope, int a, int b) const {
+  const double distance = largestDifference(placed_[a].bary, placed_[b].bary);
+  if (distance > 2 * kMaxPointError) return false;  // as mostly
+  const std::vector<Vertex>& vertices = envelope.vertices();
+  return distance <= errorOf(envelope, vertices[a]) + errorOf(envelope, vertices[b]);
+}
+
+bool ElementPoints::isNearCorner(const FaceEnvelope& envelope, const Vertex& v) const {
+  if (v.kind != Vertex::kInside) return false;
+  Eigen::Vector3d bary;
+  envelope.setBary(v, bary);
   double size = 1;  // of its shortest side, in the face
-  for (int i = 0; i < 3; ++i) {
-    const Eigen::Vector3d side = complex_.faceBary(element, Eigen::Vector3d::Unit(i)) -
-                                 complex_.faceBary(element, Eigen::Vector3d::Unit(cornerAfter(i)));
-    size = std::min(size, side.lpNorm<Eigen::Infinity>());
-  }
+  for (int i = 0; i < 3; ++i)
+    size = std::min(size, largestDifference(placed_[i].bary, placed_[cornerAfter(i)].bary));
   return (size * bary.array() <= kNear).count() >= 2;
 }
 
@@ -90,7 +119,7 @@ bool ElementPoints::isNearCorner(int element, const Eigen::Vector3d& bary) const
 /// it to. The two are not merged, so the inner point is moved by one rounding step, or several, to
 /// have a place of its own. If a neighbour face made a point on the common side, that has two
 /// places here: rounded as in this face and, in the graph, as in the other one.
-void ElementPoints::tellApartInnerPoints(int face) {
+void ElementPoints::tellApartInnerPoints(int face, std::span<const Vertex> vertices) {
   places_.clear();
   for (const PlacedVertex& placed : placed_) {
     if (placed.point < 0) continue;
@@ -98,8 +127,9 @@ void ElementPoints::tellApartInnerPoints(int face) {
     const Eigen::Vector3d inGraph = baryInFace(mesh_, graph_.places[placed.point], face);
     if (inGraph != placed.bary) places_.push_back(inGraph);
   }
-  for (PlacedVertex& inner : placed_) {
-    if (!inner.isInside) continue;
+  for (size_t i = 0; i < vertices.size(); ++i) {
+    PlacedVertex& inner = placed_[i];
+    if (vertices[i].kind != Vertex::kInside) continue;
     while (std::count(places_.begin(), places_.end(), inner.bary) > 1) {
       Eigen::Vector3d& place = *std::find(places_.begin(), places_.end(), inner.bary);
       Eigen::Index largest;
@@ -110,13 +140,10 @@ void ElementPoints::tellApartInnerPoints(int face) {
   }
 }
 
-int ElementPoints::make(int element, const FaceEnvelope& envelope, const Vertex& v,
-                        const Eigen::Vector3d& bary) {
-  if (v.kind == Vertex::kCorner) return atNode(element, complex_.nodesOf(element)[v.place], bary);
-  if (v.kind == Vertex::kOnSide) return makeOnSide(element, envelope, v, bary);
-  return graph_.addPoint(complex_.face(element), bary, insideError(envelope, v),
-                         envelope.label(v.functions[0]), envelope.label(v.functions[1]),
-                         envelope.label(v.functions[2]));
+int ElementPoints::addInside(int element, const FaceEnvelope& envelope, const Vertex& v,
+                             const Eigen::Vector3d& bary) {
+  return graph_.addPoint(complex_.face(element), bary, envelope.label(v.functions[0]),
+                         envelope.label(v.functions[1]), envelope.label(v.functions[2]));
 }
 
 int ElementPoints::atNode(int element, int node, const Eigen::Vector3d& bary) {
@@ -127,40 +154,45 @@ int ElementPoints::atNode(int element, int node, const Eigen::Vector3d& bary) {
 int ElementPoints::makeOnSide(int element, const FaceEnvelope& envelope, const Vertex& v,
                               const Eigen::Vector3d& bary) {
   const int a = envelope.label(v.functions[0]), b = envelope.label(v.functions[1]);
-  int& first = firstOnSide_[sideOf(element, v.place)];
-  for (int p = first; p >= 0; p = graph_.points[p].nextOnSide) {
-    const auto& labels = graph_.points[p].labels;
-    if ((labels[0] == a && labels[1] == b) || (labels[0] == b && labels[1] == a)) return p;
+  const int h = 3 * element + v.place, twin = complex_.twin(element, v.place);
+  const int side = twin < 0 ? h : std::min(h, twin);
+  int& first = firstPoint_[side / 3];
+  for (int p = first; p >= 0; p = graph_.points[p].next) {
+    const BisectorGraph::Point& other = graph_.points[p];
+    const auto& labels = other.labels;
+    if (other.side == side &&
+        ((labels[0] == a && labels[1] == b) || (labels[0] == b && labels[1] == a)))
+      return p;
   }
-  const int point = graph_.addPoint(complex_.face(element), bary, sideError(envelope, v), a, b, -1);
-  mergeOnSide(element, v.place, point, first, bary);
-  graph_.points[point].nextOnSide = std::exchange(first, point);
+  const int point = graph_.addPoint(complex_.face(element), bary, a, b, -1);
+  graph_.points[point].side = side;
+  graph_.points[point].next = std::exchange(first, point);
+  mergeOnSide(element, envelope, v, point, bary);
   return point;
 }
 
 /// Merges a new point on a side with the ends of the side and with other points there, within their
 /// error bounds.
-void ElementPoints::mergeOnSide(int element, int side, int point, int others,
-                                const Eigen::Vector3d& bary) {
-  const double error = graph_.points[point].error;
-  const auto isNear = [&](const Eigen::Vector3d& place, double distance) {
-    return (bary - place).lpNorm<Eigen::Infinity>() <= distance;
-  };
-  for (const int corner : {side, cornerAfter(side)}) {
-    const Eigen::Vector3d place = complex_.faceBary(element, Eigen::Vector3d::Unit(corner));
-    if (isNear(place, error))
+void ElementPoints::mergeOnSide(int element, const FaceEnvelope& envelope, const Vertex& v,
+                                int point, const Eigen::Vector3d& bary) {
+  for (const int corner : {v.place, cornerAfter(v.place)}) {
+    const Eigen::Vector3d& place = placed_[corner].bary;
+    const double distance = largestDifference(bary, place);
+    if (distance <= kMaxPointError && distance <= errorOf(envelope, v))
       graph_.unite(point, atNode(element, complex_.nodesOf(element)[corner], place));
   }
-  for (int p = others; p >= 0; p = graph_.points[p].nextOnSide)
-    if (isNear(baryInFace(mesh_, graph_.places[p], complex_.face(element)),
-               graph_.points[p].error + error))
+  for (int p = graph_.points[point].next; p >= 0; p = graph_.points[p].next) {
+    if (graph_.points[p].side != graph_.points[point].side) continue;
+    const Eigen::Vector3d place = baryInFace(mesh_, graph_.places[p], complex_.face(element));
+    const double distance = largestDifference(bary, place);
+    if (distance > 2 * kMaxPointError) continue;
+    const auto other = std::find_if(placed_.begin(), placed_.end(),
+                                    [&](const PlacedVertex& placed) { return placed.point == p; });
+    if (other != placed_.end() &&
+        distance <=
+            errorOf(envelope, v) + errorOf(envelope, envelope.vertices()[other - placed_.begin()]))
       graph_.unite(point, p);
-}
-
-/// The index of an element's side in `firstOnSide_`.
-int ElementPoints::sideOf(int element, int side) const {
-  const int h = 3 * element + side, twin = complex_.twin(h);
-  return twin < 0 ? h : std::min(h, twin);
+  }
 }
 
 }  // namespace gvd

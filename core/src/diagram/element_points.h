@@ -13,18 +13,15 @@
 
 namespace gvd {
 
-/// Makes the points of the graph for the vertices of envelopes, each with an error bound for
-/// rounding. Neighbouring elements share the points on their common side and at its ends. Points on
-/// one side whose error bounds overlap are merged here.
+/// Makes the points of the graph for the vertices of envelopes, each of which has an error bound
+/// for rounding. Neighbouring elements share the points on their common side and at its ends.
+/// Points on one side whose error bounds overlap are merged here.
 class ElementPoints {
  public:
   /// A vertex of an envelope.
   struct PlacedVertex {
     int point = -1;        ///< -1: no cell has the vertex any more
     Eigen::Vector3d bary;  ///< in the face
-    bool isInside = false;
-    /// Whether it is inside and so near to a corner of the element that it could be merged with it.
-    bool isNearCorner = false;
   };
 
   ElementPoints(const FaceComplex& complex, NodePoints& nodePoints, BisectorGraph& graph);
@@ -34,17 +31,22 @@ class ElementPoints {
   std::span<const PlacedVertex> of(int element, const FaceEnvelope& envelope);
   /// The point at a node, which lies at `bary` in an element's face.
   int atNode(int element, int node, const Eigen::Vector3d& bary);
+  /// Whether the error bounds of two vertices of the envelope overlap.
+  bool overlap(const FaceEnvelope& envelope, int a, int b) const;
+  /// Whether a vertex of an envelope is inside, and so near to a corner of the element that it
+  /// could be merged with it.
+  bool isNearCorner(const FaceEnvelope& envelope, const FaceEnvelope::Vertex& v) const;
 
  private:
   using Vertex = FaceEnvelope::Vertex;
 
-  int make(int element, const FaceEnvelope& envelope, const Vertex& v, const Eigen::Vector3d& bary);
+  int addInside(int element, const FaceEnvelope& envelope, const Vertex& v,
+                const Eigen::Vector3d& bary);
   int makeOnSide(int element, const FaceEnvelope& envelope, const Vertex& v,
                  const Eigen::Vector3d& bary);
-  void mergeOnSide(int element, int side, int point, int others, const Eigen::Vector3d& bary);
-  bool isNearCorner(int element, const Eigen::Vector3d& bary) const;
-  void tellApartInnerPoints(int face);
-  int sideOf(int element, int side) const;
+  void mergeOnSide(int element, const FaceEnvelope& envelope, const Vertex& v, int point,
+                   const Eigen::Vector3d& bary);
+  void tellApartInnerPoints(int face, std::span<const Vertex> vertices);
 
   const TriangleMesh& mesh_;
   const FaceComplex& complex_;
@@ -52,9 +54,8 @@ class ElementPoints {
   BisectorGraph& graph_;
 
   SlicedSequence sequence_;
-  /// The first point in the list of each side (`Point::nextOnSide`), by the lower of the side's two
-  /// halfedges; -1 for none.
-  std::vector<int> firstOnSide_;
+  /// Per element, the first point in the list of those on its sides (`Point::side`), -1 for none.
+  std::vector<int> firstPoint_;
   // Of the current element.
   std::vector<PlacedVertex> placed_;
   std::vector<Eigen::Vector3d> places_;  ///< that have a point

@@ -33,7 +33,9 @@ class FaceComplex {
   }
   /// -1 on the mesh boundary, at faces outside of the complex, and where an element meets several
   /// smaller ones: one label owns all of such a side.
-  int twin(int h) const { return hasOwnElements_ ? twins_[h] : mesh_.twin(h); }
+  int twin(int element, int side) const {
+    return hasOwnElements_ ? twins_[3 * element + side] : mesh_.face(element).twins[side];
+  }
   /// The mesh's boundary halfedge that a halfedge is part of, -1 if none.
   int boundaryHalfedge(int h) const {
     const int side = hasOwnElements_ ? elements_.meshHalfedge(h) : h;

@@ -6,41 +6,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 
 #include "base/predicates.h"
-#include "gvd/surface_point.h"
 
 namespace gvd {
-
-namespace {
-
-/// The place between two corners where the functions a and b are equal, as a share of the way from
-/// the first corner; `a` is the lower label's. Two triangles that name the corners in the same
-/// order get the same bits.
-double crossing(double aFirst, double bFirst, double aSecond, double bSecond) {
-  const double first = aFirst - bFirst, second = aSecond - bSecond;
-  // `first` and `second` have opposite signs or one is zero; both are zero only if a perturbed tie
-  // made the crossing.
-  const double span = first - second;
-  return span == 0 ? 0.5 : std::clamp(first / span, 0.0, 1.0);
-}
-
-}  // namespace
-
-void FaceEnvelope::setBary(const Vertex& v, Eigen::Vector3d& bary) const {
-  if (v.kind == Vertex::kInside) return setInnerBary(v, bary);
-  const int i = v.place, j = cornerAfter(i);
-  double share = 0;
-  if (v.kind == Vertex::kOnSide) {
-    const auto [low, high] = std::minmax(v.functions[0], v.functions[1]);
-    const auto &a = value(low), &c = value(high);
-    share = crossing(a[i], c[i], a[j], c[j]);
-  }
-  bary[i] = 1 - share;
-  bary[j] = share;
-  bary[3 - i - j] = 0;
-}
 
 /// The common zero of b - a and c - a is their cross product, up to scale. It is computed with a
 /// bounded relative error, because it cancels almost entirely if the functions are almost equal

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
+
+#include "gvd/surface_point.h"
 
 namespace gvd {
 
@@ -58,6 +61,7 @@ class FaceEnvelope {
   /// functions that are least or tie somewhere, at worst O(n³).
   void compute(std::span<const LabelFunction> functions);
 
+  /// The first three are the corners.
   const std::vector<Vertex>& vertices() const { return vertices_; }
   std::span<const Cell> cells() const { return {cells_.data(), static_cast<size_t>(cellCount_)}; }
   /// Sets `bary` to where a vertex lies: number by number, as in bisector_graph.h.
@@ -75,6 +79,7 @@ class FaceEnvelope {
     int functionAt(int corner) const { return isHigh[corner] ? high : low; }
   };
 
+  double shareOfSide(const Vertex& v) const;
   void setInnerBary(const Vertex& v, Eigen::Vector3d& bary) const;
   bool isBelow(int f, const Vertex& v) const;
   bool cutTriangle(int f);
@@ -105,5 +110,27 @@ class FaceEnvelope {
   std::vector<CutSide> cuts_;   ///< by the cells on their first sides
   std::vector<CellSide> kept_;  ///< what remains of the sides of the current cell
 };
+
+inline void FaceEnvelope::setBary(const Vertex& v, Eigen::Vector3d& bary) const {
+  if (v.kind == Vertex::kInside) return setInnerBary(v, bary);
+  const int i = v.place, j = cornerAfter(i);
+  const double share = v.kind == Vertex::kOnSide ? shareOfSide(v) : 0;
+  bary[i] = 1 - share;
+  bary[j] = share;
+  bary[3 - i - j] = 0;
+}
+
+/// Where two functions are equal on a side, as a share of the way from its first corner. Two
+/// triangles that name the corners in the same order get the same bits.
+inline double FaceEnvelope::shareOfSide(const Vertex& v) const {
+  const auto [low, high] = std::minmax(v.functions[0], v.functions[1]);
+  const auto &a = value(low), &c = value(high);
+  const int i = v.place, j = cornerAfter(i);
+  const double first = a[i] - c[i], second = a[j] - c[j];
+  // `first` and `second` have opposite signs or one is zero; both are zero only if a perturbed tie
+  // made the crossing.
+  const double span = first - second;
+  return span == 0 ? 0.5 : std::clamp(first / span, 0.0, 1.0);
+}
 
 }  // namespace gvd
