@@ -94,7 +94,7 @@ std::span<const ElementPoints::PlacedVertex> ElementPoints::of(int element,
                               : makeOnSide(element, envelope, v, placed.bary);
       hasInnerPoint |= isInside;
     }
-  if (hasInnerPoint) tellApartInnerPoints(complex_.face(element), vertices);
+  if (hasInnerPoint && areNear(vertices)) tellApartInnerPoints(complex_.face(element), vertices);
   return placed_;
 }
 
@@ -113,6 +113,19 @@ bool ElementPoints::isNearCorner(const FaceEnvelope& envelope, const Vertex& v) 
   for (int i = 0; i < 3; ++i)
     size = std::min(size, largestDifference(placed_[i].bary, placed_[cornerAfter(i)].bary));
   return (size * bary.array() <= kNear).count() >= 2;
+}
+
+/// Whether any inner vertex is near another vertex.
+bool ElementPoints::areNear(std::span<const Vertex> vertices) const {
+  for (size_t i = 0; i < vertices.size(); ++i) {
+    if (vertices[i].kind != Vertex::kInside) continue;
+    const Eigen::Vector3d& inner = placed_[i].bary;
+    for (const PlacedVertex& other : placed_)
+      if (other.point >= 0 && &other != &placed_[i] &&
+          largestDifference(other.bary, inner) <= kNear)
+        return true;
+  }
+  return false;
 }
 
 /// Where slivers meet, an inner point may get the same place as another point that no segment joins

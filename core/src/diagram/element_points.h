@@ -46,6 +46,7 @@ class ElementPoints {
                  const Eigen::Vector3d& bary);
   void mergeOnSide(int element, const FaceEnvelope& envelope, const Vertex& v, int point,
                    const Eigen::Vector3d& bary);
+  bool areNear(std::span<const Vertex> vertices) const;
   void tellApartInnerPoints(int face, std::span<const Vertex> vertices);
 
   const TriangleMesh& mesh_;
