@@ -32,8 +32,6 @@ const unitsPerStep = 256;
 /** Bytes of a result that are copied between two looks at the clock. */
 const bytesPerStep = 2 ** 18;
 
-const decoder = new TextDecoder();
-
 /**
  * The functions that a standalone module imports from its host. Ours read no files, environment or
  * clock: where the C library asks for one nevertheless, the answer is "nothing there".
@@ -168,6 +166,7 @@ export class WasmModule {
     const { memory } = this.#exports;
     const count = this.#exports.answerRowCount(answer);
     const start = this.#exports.answerRows(answer) >>> 0;
+    const decoder = new TextDecoder(); // one for all texts, of which there may be many
     try {
       const rows = new Uint32Array(memory.buffer, start, 5 * count).slice();
       const result = {};
@@ -175,7 +174,7 @@ export class WasmModule {
         const [nameAddress, nameLength, address, length, type] = rows.subarray(5 * i);
         const bytes = new Uint8Array(memory.buffer, nameAddress, nameLength);
         const name = decoder.decode(bytes);
-        setValue(result, name, yield* valueAt(memory, address, length, type));
+        setValue(result, name, yield* valueAt(memory, address, length, type, decoder));
       }
       return result as Result;
     } catch (cause) {
@@ -245,7 +244,7 @@ export class WasmModule {
   #textAt(address: number): string {
     const bytes = new Uint8Array(this.#exports.memory.buffer);
     const start = address >>> 0;
-    return decoder.decode(bytes.subarray(start, bytes.indexOf(0, start)));
+    return new TextDecoder().decode(bytes.subarray(start, bytes.indexOf(0, start)));
   }
 
   /** A trap leaves the module's memory in an unknown state: nothing may be called any more. */
@@ -274,6 +273,7 @@ function* valueAt(
   address: number,
   length: number,
   type: number,
+  decoder: TextDecoder,
 ): SlicedWork<unknown> {
   const at = length === 0 ? 0 : address; // the address of an empty vector may be anything
   const number = () => new Float64Array(memory.buffer, at, 1)[0];
