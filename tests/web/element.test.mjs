@@ -28,6 +28,14 @@ function page(body, head = standalone) {
   };
 }
 
+/** How often a page has fetched a script. */
+const timesFetched = (page, script) =>
+  page.evaluate(async (script) => {
+    await fetch('/icon.svg'); // what was asked for before is there, too
+    const names = performance.getEntriesByType('resource').map(({ name }) => name);
+    return names.filter((name) => name.endsWith(`/${script}`)).length;
+  }, script);
+
 /** A page that has every script of the package by itself. */
 function byImportMap(body) {
   const hash = createHash('sha256').update(importMap).digest('base64');
@@ -703,12 +711,11 @@ suite('attributes and events', () => {
   test('a model that is given up is not made ready on the page in place of the worker', async () => {
     const { page } = await browser.visit({ path: 'unplaced.html' });
     await page.waitForFunction(() => document.querySelector('[status="failed"]'));
-    const fetched = await page.evaluate(async () => {
-      await fetch('/icon.svg'); // what was asked for before is there, too
-      const names = performance.getEntriesByType('resource').map(({ name }) => name);
-      return names.filter((name) => name.endsWith('/scene_arrays.js')).length;
-    });
-    assert.equal(fetched, 1, 'only the worker needs that script');
+    assert.equal(
+      await timesFetched(page, 'scene_arrays.js'),
+      1,
+      'only the worker needs that script',
+    );
   });
 
   test('colours of a PLY file that are being read end with its model', async () => {
@@ -726,15 +733,16 @@ suite('attributes and events', () => {
           });
         }),
     });
-    const fetched = await viewer.evaluate(async (viewer) => {
+    await viewer.evaluate(async (viewer) => {
       viewer.layers = ['original'];
       await window.asked;
       await viewer.load('/samples/torus.glb');
-      await fetch('/icon.svg'); // what was asked for before is there, too
-      const names = performance.getEntriesByType('resource').map(({ name }) => name);
-      return names.filter((name) => name.endsWith('/ply_surface.js')).length;
     });
-    assert.equal(fetched, 0, 'nothing reads them on the page');
+    assert.equal(
+      await timesFetched(viewer.page, 'ply_surface.js'),
+      0,
+      'nothing reads them on the page',
+    );
   });
 
   test('without the worker that prepares drawings, a sentence says why some do not come', async () => {

@@ -12,6 +12,18 @@ import { firstTriangles, browserForTests } from './browser.mjs';
 
 const browser = await browserForTests();
 
+/** Turns the model that is shown, and chooses samples one right after the other. */
+const chooseSamplesWithUpZ = (viewer, ...samples) =>
+  viewer.evaluate(async (viewer, samples) => {
+    const menu = document.getElementById('samples');
+    viewer.setAttribute('up', 'z');
+    for (const value of samples) {
+      menu.value = value;
+      menu.dispatchEvent(new Event('change'));
+      await new Promise((resolve) => setTimeout(resolve));
+    }
+  }, samples);
+
 const text = (viewer, selector) => viewer.page.locator(selector).textContent();
 /** What is read out waits a moment for the last of several changes. */
 const status = (viewer, pattern) =>
@@ -541,15 +553,7 @@ suite('the page', () => {
   });
 
   test('a model that is chosen again while another is opened keeps its settings', async () => {
-    await viewer.evaluate(async (viewer) => {
-      const menu = document.getElementById('samples');
-      viewer.setAttribute('up', 'z');
-      for (const value of ['torus.glb', 'bunny.ply']) {
-        menu.value = value;
-        menu.dispatchEvent(new Event('change'));
-        await new Promise((resolve) => setTimeout(resolve));
-      }
-    });
+    await chooseSamplesWithUpZ(viewer, 'torus.glb', 'bunny.ply');
     await viewer.settled();
     const model = await viewer.evaluate((viewer) => [
       viewer.info.origin.file,
@@ -559,16 +563,8 @@ suite('the page', () => {
   });
 
   test('models that were given up leave the first, with its settings', async () => {
-    await viewer.evaluate(async (viewer) => {
-      const menu = document.getElementById('samples');
-      viewer.setAttribute('up', 'z');
-      for (const value of ['torus.glb', 'hand.glb']) {
-        menu.value = value;
-        menu.dispatchEvent(new Event('change'));
-        await new Promise((resolve) => setTimeout(resolve));
-      }
-      viewer.cancel();
-    });
+    await chooseSamplesWithUpZ(viewer, 'torus.glb', 'hand.glb');
+    await viewer.evaluate((viewer) => viewer.cancel());
     await viewer.page.waitForFunction(
       () => document.getElementById('viewer').getAttribute('up') === 'z',
     );

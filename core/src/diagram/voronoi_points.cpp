@@ -14,7 +14,7 @@ bool VoronoiPoints::step(long& budget) {
   const int merged = graph_.merging.limit();
   return sequence_.run(
       [&] {  // on a sphere, there are about two Voronoi points per site
-        out_.voronoiPoints.reserve(std::min<size_t>(2 * out_.siteCount, graph_.points.size()));
+        out_.voronoiPoints.reserve(std::min(size_t{2} * out_.siteCount, graph_.points.size()));
       },
       [&] { return merged == 0 || fillInSlices(isOnOutline_, graph_.points.size(), '\0', budget); },
       forEach(merged == 0 ? 0 : outlines_.size(), budget, 1, [&](int o) { collectSectors(o); }),
