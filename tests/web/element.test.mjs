@@ -80,6 +80,12 @@ const browser = await browserForTests({
       src: '/samples/torus.glb', sites: 7, layers: ['regions', 'dual'], cameraOrbit: '30deg 75deg 120%',
     });`,
   },
+  '/early_sites.html': page(
+    '<geodesic-voronoi sites="3"></geodesic-voronoi><script src="early_sites.js"></script>',
+  ),
+  '/early_sites.js': {
+    html: `document.querySelector('geodesic-voronoi').sites = { face: [0], bary: [1, 0, 0] };`,
+  },
   '/exploded.html': page(
     `<geodesic-voronoi ${model} exploded="0.8" layers="regions"></geodesic-voronoi>
      <script type="module" src="count.js"></script>`,
@@ -657,6 +663,14 @@ suite('attributes and events', () => {
     assert.equal(await viewer.evaluate(({ cameraOrbit }) => cameraOrbit), '30deg 75deg 120%');
     await viewer.set({ layers: ['regions'] });
     assert.equal(await viewer.evaluate((viewer) => viewer.getAttribute('layers')), 'regions');
+  });
+
+  test('sites that are set before the script has come are refused as without a model', async () => {
+    const viewer = await browser.visit({ path: 'early_sites.html' });
+    await viewer.page.waitForFunction(() => document.querySelector('[status="empty"]'));
+    const [complaint] = viewer.complaints.splice(0);
+    assert.match(complaint, /There is no model to edit: wait for the event "load"/);
+    assert.equal(await viewer.evaluate((viewer) => viewer.getAttribute('sites')), '3');
   });
 
   test('an exploded view fills the view from the start, and no more', async () => {

@@ -52,10 +52,13 @@ export class ReflectingElement extends Base {
       observedAttributes: readonly string[];
     };
     for (const [name, value] of Object.entries(this)) {
-      const attribute = name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
-      if (!(name in prototype && observedAttributes.includes(attribute))) continue;
+      if (!(name in prototype)) continue;
       Reflect.deleteProperty(this, name);
-      this.reflect(attribute, value);
+      const attribute = name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
+      const isText = Array.isArray(value) || Object(value) !== value;
+      if (isText && observedAttributes.includes(attribute)) this.reflect(attribute, value);
+      // Others need the whole element, and most of them a model: the page hears of it as ever.
+      else queueMicrotask(() => Reflect.set(this, name, value));
     }
   }
 
