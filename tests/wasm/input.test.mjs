@@ -677,6 +677,7 @@ test('a broken OBJ, OFF, PLY or STL says in which line or at which byte', async 
     ['solid\nfacet\nvertex 0 0 0', /^line 3: this vertex is in no triangle/],
     ['solid\nfacet\nv 0 0 0', /^line 3: 'v 0 0 0' has no meaning/],
     ['solid a\nendsolid a', /the STL has no triangles/],
+    ['solid facet outer loop vertex 0 0 0', /each statement needs a line of its own/],
   ]) {
     const bytes = typeof file === 'string' ? bytesOf(file) : file;
     await assert.rejects(gvd.mesh(bytes), fails('invalid-file', message), file);
