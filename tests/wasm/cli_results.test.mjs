@@ -233,6 +233,17 @@ test('tables of located points, distances and sites', () => {
   succeeds('diagram shape.glb --sites s.csv -q');
 });
 
+test('tables of sites leave out removed ones', () => {
+  const sites = '{"face":[3,-1],"bary":[0.5,0.25,0.25,0,0,0]}';
+  for (const format of ['csv', 'ply']) {
+    succeeds(`cvt shape.glb --sites ${sites} --iterations 0 -q -o left.${format}`);
+    const { face } = JSON.parse(
+      succeeds(`diagram shape.glb --sites left.${format} -q`).stdout,
+    ).sites;
+    assert.deepEqual(face, [3], format);
+  }
+});
+
 test('a table of regions', () => {
   const partition = 'partition two.glb --sites {"vertex":[0,1,0]} -q --units cm';
   const { regions } = JSON.parse(succeeds(partition).stdout);

@@ -139,10 +139,11 @@ export const sitesEncoders: Encoders<SitesResult> = {
       ...placedPointsJson({ ...sites, position }, lengths.scale),
       energy: energy.map((e) => lengths.scale ** 4 * e), // area times squared length
     }),
-  // In the model's own unit, as `--sites` reads them.
-  '.ply': ({ position }) => sitesPly(position),
+  // In the model's own unit, as `--sites` reads them; removed sites are nowhere.
+  '.ply': ({ position }) => sitesPly(position.filter(Number.isFinite)),
   '.csv': ({ position }) => {
-    const [x, y, z] = [0, 1, 2].map((k) => column(position, 3, k));
+    const places = position.filter(Number.isFinite);
+    const [x, y, z] = [0, 1, 2].map((k) => column(places, 3, k));
     return csv({ x, y, z });
   },
 };
