@@ -252,6 +252,10 @@ test('points as JSON in place of a file, and named in errors', () => {
   const other = '{"vertex":[1],"position":[0,0,0]}';
   fails(1, `${path} ${other}`, /: points has both vertex and position: only one can say where/);
   fails(1, `locate shape.glb --sites ${other} --points {"vertex":1}`, /both vertex and position/);
+  write('gone.json', '{"face": [3, -1], "bary": [1, 0, 0, 0, 0, 0]}');
+  const gone = /gone\.json: point 1 is a site that was removed\n$/;
+  fails(1, `${path} gone.json`, gone);
+  fails(1, 'locate shape.glb --sites gone.json --points gone.json', gone);
 });
 
 test('a note where there are fewer vertices than sites to be', () => {

@@ -27,7 +27,14 @@ import type { CommandName, Invocation, Values } from './options.js';
 import { pathsBetween } from './paths.js';
 import { readNumbers, readPoints } from './points.js';
 import { withProgress } from './progress.js';
-import { lengthsOf, meshNotes, onSurface, openMesh, openWithSites, writeNotes } from './sites.js';
+import {
+  allOnSurface,
+  lengthsOf,
+  meshNotes,
+  openMesh,
+  openWithSites,
+  writeNotes,
+} from './sites.js';
 import type { Lengths } from './values.js';
 
 type Request<Command extends CommandName> = Extract<Invocation, { command: Command }>;
@@ -116,7 +123,7 @@ async function locate({ mesh: path, values }: Request<'locate'>): Promise<void> 
   const output = await Output.open(values);
   const points = await readPoints(values.points);
   const { mesh, diagram } = await openDiagram(path, output, values);
-  const located = await diagram.locate(await onSurface(mesh, points, values));
+  const located = await diagram.locate(await allOnSurface(mesh, points, values));
   await output.write(encode({ mesh, ...located }, lengthsOf(mesh, values)));
 }
 
@@ -145,8 +152,8 @@ async function path({ mesh: model, values }: Request<'path'>): Promise<void> {
   const [from, to] = [await readPoints(values.from), await readPoints(values.to)];
   const mesh = await openMesh(model, output, values);
   writeNotes(meshNotes(mesh), values);
-  const starts = await onSurface(mesh, from, values);
-  const ends = await onSurface(mesh, to, values);
+  const starts = await allOnSurface(mesh, from, values);
+  const ends = await allOnSurface(mesh, to, values);
   const paths = await withProgress(values, (onProgress) =>
     pathsBetween(mesh, starts, ends, onProgress),
   );

@@ -84,6 +84,16 @@ export async function onSurface(
   }
 }
 
+/** The same of points that all have to be there: none is a label whose site was removed. */
+export async function allOnSurface(
+  ...[mesh, given, values]: Parameters<typeof onSurface>
+): Promise<SurfacePoints> {
+  const points = await onSurface(mesh, given, values);
+  const removed = points.face.indexOf(-1);
+  if (removed < 0) return points;
+  throw new FileError(`${given.name}: point ${removed} is a site that was removed`);
+}
+
 async function closestOf(
   mesh: Mesh,
   places: Float64Array,
