@@ -19,9 +19,10 @@ export async function readPointsFile(bytes: Uint8Array): Promise<unknown> {
   const head = new TextDecoder().decode(bytes.subarray(0, headBytes));
   if (head.trim() === '') throw new Error('the file is empty');
   if (isJson(head)) return readJson(bytes);
-  const places = /^ply\s/.test(head)
-    ? readPlyPlaces(bytes, toSizeLimits({}))
-    : readCsvPlaces(bytes);
+  const isPly = /^ply\s/.test(head);
+  if (!isPly && head.includes('\0'))
+    throw new Error('it is not text, and of binary files only a PLY can have points');
+  const places = isPly ? readPlyPlaces(bytes, toSizeLimits({})) : readCsvPlaces(bytes);
   const position = await inSlices<ArrayLike<number>>(places, {});
   if (position.length === 0) throw new Error('it has no points');
   return { position };
