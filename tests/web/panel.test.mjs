@@ -91,6 +91,11 @@ suite('the panel', () => {
     await showGroup('Diagram');
     assert.equal(await text('#arc-count'), String(diagram.arcs));
     assert.equal(await text('#voronoi-point-count'), String(diagram.voronoiPoints));
+    const shares = await viewer.evaluate(({ regionAreas: areas }) => {
+      const mean = areas.reduce((sum, area) => sum + area) / areas.length;
+      return [Math.min(...areas), Math.max(...areas)].map((area) => (area / mean).toFixed(2));
+    });
+    assert.equal(await text('#region-areas'), `${shares.join(' to ')} × mean`);
     await viewer.page.waitForFunction(() =>
       ['open', 'diagram', 'draw'].every((stage) =>
         /^[\d.]+ m?s$/.test(document.getElementById(`time-${stage}`).textContent),
@@ -261,6 +266,7 @@ suite('the panel', () => {
     await status.waitFor();
     await viewer.settled();
     assert.equal(await viewer.page.textContent('#arc-count'), '–');
+    assert.equal(await viewer.page.textContent('#region-areas'), '–');
     assert.equal(await viewer.regionCount(), 0);
     await viewer.after('diagram', () => viewer.page.click('#note-action'));
     assert.equal(await viewer.page.locator('#note').isVisible(), false);

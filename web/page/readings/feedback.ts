@@ -144,10 +144,19 @@ function setUpReadout(viewer: GeodesicVoronoiElement): void {
   });
 }
 
-/** Shows the counts of the diagram, and the time that each stage took last. */
+/** The least and the greatest of areas, as multiples of their mean. */
+function spreadOf(areas: Float64Array): string {
+  if (areas.length === 0) return '–';
+  const sorted = areas.slice().sort();
+  const mean = areas.reduce((sum, area) => sum + area) / areas.length;
+  return `${(sorted[0] / mean).toFixed(2)} to ${(sorted.at(-1)! / mean).toFixed(2)} × mean`;
+}
+
+/** Shows the counts and areas of the diagram, and the time that each stage took last. */
 function setUpTimes(viewer: GeodesicVoronoiElement): void {
   const arcCount = byId('arc-count', HTMLElement);
   const voronoiPointCount = byId('voronoi-point-count', HTMLElement);
+  const areas = byId('region-areas', HTMLElement);
   const opening = byId('time-open', HTMLElement);
   const diagram = byId('time-diagram', HTMLElement);
   const drawing = byId('time-draw', HTMLElement);
@@ -157,11 +166,13 @@ function setUpTimes(viewer: GeodesicVoronoiElement): void {
   });
   listen(viewer, 'load', () => {
     opening.textContent = duration(performance.now() - start);
-    for (const cell of [arcCount, voronoiPointCount, diagram, drawing]) cell.textContent = '–';
+    for (const cell of [arcCount, voronoiPointCount, areas, diagram, drawing])
+      cell.textContent = '–';
   });
   listen(viewer, 'diagram', ({ arcs, voronoiPoints, milliseconds }) => {
     arcCount.textContent = integer(arcs);
     voronoiPointCount.textContent = integer(voronoiPoints);
+    areas.textContent = spreadOf(viewer.regionAreas);
     diagram.textContent = duration(milliseconds);
     const drawn = performance.now();
     requestAnimationFrame(() =>
