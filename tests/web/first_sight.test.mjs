@@ -603,7 +603,10 @@ suite('first sight', () => {
     await viewer.after('diagram', () => viewer.evaluate((viewer) => viewer.sampleSites(2001)));
     const { text, link } = await note();
     assert.doesNotMatch(link, /&at=/);
-    assert.match(text, /It does not hold more than 2,000 sites: .* menu Download, has them all\./);
+    assert.match(
+      text,
+      /The link does not hold more than 2,000 sites: .* menu Download, has them all\./,
+    );
     assert.doesNotMatch(text, /these sites/);
   });
 

@@ -55,15 +55,17 @@ export function notHeld(viewer: GeodesicVoronoiElement): string[] {
   const sentences: string[] = [];
   const model = modelName(viewer);
   if (!isSample(model)) {
-    sentences.push(`It does not hold the file ${model}: whoever opens it has to open that, too.`);
+    sentences.push(
+      `The link does not hold the file ${model}: whoever opens it has to open that, too.`,
+    );
   }
   if (viewer.sites.face.length > mostSites) {
     sentences.push(
-      `It does not hold more than ${integer(mostSites)} sites: others are placed. ` +
+      `The link does not hold more than ${integer(mostSites)} sites: others are placed. ` +
         'The file Sites, in the menu Download, has them all.',
     );
   }
-  if (viewer.density) sentences.push('It does not hold the painted density.');
+  if (viewer.density) sentences.push('The link does not hold the painted density.');
   return sentences;
 }
 
