@@ -616,6 +616,13 @@ suite('attributes and events', () => {
     assert.deepEqual(steps, ['sampled', 'opened']);
   });
 
+  test('labels whose sites were removed from a diagram are no sites', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
+    const sites = { face: [3, -1, 9], bary: [1, 0, 0, 0, 0, 0, 1, 0, 0] };
+    await viewer.after('diagram', () => viewer.set({ sites }));
+    assert.deepEqual(await viewer.sites(), { face: [3, 9], bary: [1, 0, 0, 1, 0, 0] });
+  });
+
   test('a diagram that cannot be made is told of on the view until there is one', async () => {
     const viewer = await emptyPage();
     await viewer.evaluate(() => {

@@ -2,7 +2,7 @@
 //
 // Sites as a file.
 
-import { pointsJson, type SurfacePoints } from 'geodesic-voronoi';
+import { pointsJson } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../../viewer/element.js';
 import { maxHeaderBytes, readPlyHeader } from '../../../dist/input/ply_header.js';
 import { readPointsFile } from '../../../dist/input/points_reader.js';
@@ -67,7 +67,7 @@ export async function openSites(viewer: GeodesicVoronoiElement, file: File): Pro
     const { distance } = await mesh.closestPoints(places);
     if (mesh !== viewer.mesh) return;
     const before = viewer.sites;
-    viewer.sites = present(sites);
+    viewer.sites = sites;
     if (isSame(before, viewer.sites))
       showNoteOnSites(viewer, `${name} has the sites that are shown.`);
     else
@@ -109,12 +109,4 @@ function placesIn(content: unknown): ArrayLike<number> {
       `it has ${integer(position.length / 3)} points without triangles, more than ${integer(most)}`,
     );
   return position;
-}
-
-/** A diagram's list of sites without the labels of removed ones. */
-function present({ face, bary }: SurfacePoints): SurfacePoints {
-  return {
-    face: face.filter((f) => f >= 0),
-    bary: bary.filter((_, i) => face[Math.floor(i / 3)] >= 0),
-  };
 }

@@ -102,12 +102,15 @@ export class SiteHistory {
     return { id: ++this.#lastId, ...checked(place) };
   }
 
+  /** A diagram's labels of removed sites, whose face is -1, are left out. */
   createAll(points: PointList): Sites {
     if (!points?.face || points.bary?.length !== 3 * points.face.length)
       throw new TypeError(
         'Sites are { face, bary }, three coordinates each; mesh.readPoints makes them of other forms.',
       );
-    return Array.from(points.face, (_, i) => this.create(placeOf(points, i)));
+    return Array.from(points.face, (_, i) => placeOf(points, i))
+      .filter(({ face }) => face !== -1)
+      .map((place) => this.create(place));
   }
 
   /** Begins anew: nothing to undo. */
