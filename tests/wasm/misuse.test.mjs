@@ -462,6 +462,11 @@ test('cvt', async () => {
   await refused(notTolerances, (moveTolerance) => start({ moveTolerance }), /^moveTolerance is /);
   await refused(notLists, (density) => start({ density }), /^density(\[0\])? is /);
   await refused(
+    ['bend'],
+    (density) => start({ density }),
+    /"bend", not "attribute", "curvature" or/,
+  );
+  await refused(
     [[1], new Float64Array(6).fill(-1), new Float64Array(6).fill(NaN)],
     (density) => start({ density }),
     /densit/,

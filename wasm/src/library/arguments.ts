@@ -329,6 +329,10 @@ export type GivenDensity = Float64Array | 'curvature';
 /** `attribute` is the density that the mesh came with. */
 export function toDensity(density: Density, attribute: Float64Array): GivenDensity {
   if (density === 'curvature') return density;
+  if (typeof density === 'string' && density !== 'attribute')
+    throw invalidArgument(
+      `density is ${show(density)}, not "attribute", "curvature" or an array of numbers`,
+    );
   const numbers = density === 'attribute' ? attribute : toFloat64('density', density);
   if (density === 'attribute' && numbers.length === 0)
     throw invalidArgument(
