@@ -79,6 +79,43 @@ class PartitionRecording final : public SlicedWork<Record> {
   std::optional<PointsRecording> points_;
 };
 
+/// `PolygonMesh`.
+class PolygonRecording final : public SlicedWork<Record> {
+ public:
+  PolygonRecording(DiagramOnMesh on, std::unique_ptr<SlicedWork<PolygonMesh>> making)
+      : on_(std::move(on)), making_(std::move(making)) {}
+
+  bool advance(long budget) override {
+    if (making_) {
+      if (!making_->step(budget)) return false;
+      polygons_ = making_->take();
+      making_.reset();
+      triangulation_ = startTriangulation(polygons_);
+      topology_ = startTopology(polygons_);
+      points_.emplace(*on_.mesh, polygons_.points, false);
+      return false;
+    }
+    return triangulation_->step(budget) && topology_->step(budget) && points_->step(budget);
+  }
+  double share() const override {
+    constexpr double kMakingShare = 0.9;
+    return making_ ? kMakingShare * making_->progress()
+                   : kMakingShare + (1 - kMakingShare) * triangulation_->progress();
+  }
+  Record result() override {
+    return polygonRecord(std::move(polygons_), points_->take(), triangulation_->take(),
+                         topology_->take());
+  }
+
+ private:
+  const DiagramOnMesh on_;
+  std::unique_ptr<SlicedWork<PolygonMesh>> making_;
+  PolygonMesh polygons_;
+  std::unique_ptr<SlicedWork<PolygonTriangles>> triangulation_;
+  std::unique_ptr<SlicedWork<PolygonTopology>> topology_;
+  std::optional<PointsRecording> points_;
+};
+
 }  // namespace
 
 /// `Partition`.
@@ -94,10 +131,9 @@ GVD_ABI Answer* partition(VoronoiHandle* voronoi, bool leaveOutIndifferent,
 /// `PolygonMesh`: the dual, or if `primal` the regions themselves.
 GVD_ABI Answer* dual(VoronoiHandle* voronoi, bool primal) {
   return answerOn(voronoi, [=](const DiagramOnMesh& on) {
-    return recording(
-        primal ? startRegionMesh(*on.mesh, *on.diagram)
-               : startDualMesh(*on.mesh, voronoi->sitesByLabel(), *on.diagram),
-        [on](PolygonMesh result) { return polygonRecord(*on.mesh, std::move(result)); });
+    return std::make_unique<PolygonRecording>(
+        on, primal ? startRegionMesh(*on.mesh, *on.diagram)
+                   : startDualMesh(*on.mesh, voronoi->sitesByLabel(), *on.diagram));
   });
 }
 

@@ -282,10 +282,8 @@ Record partitionRecord(const TriangleMesh& mesh, Partition partition, Record poi
   return out;
 }
 
-Record polygonRecord(const TriangleMesh& mesh, PolygonMesh polygons) {
-  PolygonTriangles cut = triangulate(polygons);
-  const PolygonTopology topology = topologyOf(polygons);
-  Record points = pointsRecord(mesh, polygons.points);
+Record polygonRecord(PolygonMesh polygons, Record points, PolygonTriangles cut,
+                     const PolygonTopology& topology) {
   points.add("position", std::move(polygons.positions));
   Record triangles;
   triangles.add("points", std::move(cut.triangles));

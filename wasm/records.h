@@ -59,7 +59,8 @@ Record changeRecord(const TriangleMesh& mesh, int label, DiagramChange change);
 /// triangles.
 Record partitionRecord(const TriangleMesh& mesh, Partition partition, Record points,
                        std::vector<Eigen::Vector3d> corners);
-/// `PolygonMesh`.
-Record polygonRecord(const TriangleMesh& mesh, PolygonMesh polygons);
+/// `PolygonMesh`; `points` is the record of its points.
+Record polygonRecord(PolygonMesh polygons, Record points, PolygonTriangles cut,
+                     const PolygonTopology& topology);
 
 }  // namespace gvd::abi

@@ -558,6 +558,9 @@ TEST_P(OfADiagram, TheDualAndWhatIsToldAboutItAreTheSame) {
     EXPECT_EQ(paths[i].points, atOnce[i].points);
   }
 
+  EXPECT_EQ(inSteps(startTriangulation(expected)).triangles, triangulate(expected).triangles);
+  EXPECT_EQ(inSteps(startTopology(expected)).edges, topologyOf(expected).edges);
+
   const RemeshQuality a = inSteps(startQuality(mesh, startDualMesh(mesh, sites, diagram))),
                       b = measureQuality(mesh, expected);
   EXPECT_EQ(a.triangles, b.triangles);

@@ -5,9 +5,11 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "gvd/diagram.h"
+#include "gvd/sliced_work.h"
 #include "gvd/surface_point.h"
 
 namespace gvd {
@@ -35,9 +37,11 @@ struct PolygonTriangles {
 /// earlier diagonal joins, where there is another choice: there is one in a dual without
 /// violations. Sides and orientation stay, and so does the topology then. In a dual, a site may
 /// have two polygons only, as its region is cut off by another one, together with a run of the
-/// boundary: both could get the same diagonal. O(n log n + d² log n) for n corners in all, and for
-/// a polygon of d corners, three or more; those with fewer have no triangle.
+/// boundary: both could get the same diagonal. O(n + d²) for n corners in all, and for a polygon
+/// of d corners, three or more; those with fewer have no triangle.
 PolygonTriangles triangulate(const PolygonMesh& mesh);
+/// The same in steps. Here and below, the mesh must outlive the work.
+std::unique_ptr<SlicedWork<PolygonTriangles>> startTriangulation(const PolygonMesh& mesh);
 
 /// The topology of the surface that the faces of a polygon mesh make, joined at the vertices they
 /// share. Vertices without a face do not count.
@@ -55,5 +59,6 @@ struct PolygonTopology {
 
 /// O(n log n) for n corners of faces.
 PolygonTopology topologyOf(const PolygonMesh& mesh);
+std::unique_ptr<SlicedWork<PolygonTopology>> startTopology(const PolygonMesh& mesh);
 
 }  // namespace gvd

@@ -3,193 +3,227 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <set>
+#include <array>
+#include <memory>
 #include <string>
 #include <utility>
 
 #include "base/disjoint_sets.h"
-#include "base/grouping.h"
+#include "base/index_pairs.h"
 #include "base/rejection.h"
+#include "base/sliced_loop.h"
 #include "mesh/corners.h"
 #include "partition/convex_triangulation.h"
 
 namespace gvd {
 namespace {
 
-/// The halfedges of a polygon mesh: halfedge h leaves corner h in the list of all faces' corners.
-class PolygonHalfedges {
- public:
-  explicit PolygonHalfedges(const PolygonMesh& mesh)
-      : tail_(mesh.faces.points), next_(tail_.size()), previous_(tail_.size()) {
-    for (int f = 0; f < mesh.faces.size(); ++f) {
-      const int first = mesh.faces.offset[f], end = mesh.faces.offset[f + 1];
-      for (int h = first; h < end; ++h) {
-        next_[h] = h + 1 < end ? h + 1 : first;
-        previous_[next_[h]] = h;
-      }
-    }
-    findTwins();
-  }
+/// Corners of faces that take one unit of the budget.
+constexpr long kCornersPerUnit = 4;
 
-  int count() const { return static_cast<int>(tail_.size()); }
-  int tail(int h) const { return tail_[h]; }
-  int tip(int h) const { return tail_[next_[h]]; }
-  int twin(int h) const { return twin_[h]; }
-  int next(int h) const { return next_[h]; }
-  /// The next halfedge that leaves the same vertex, counterclockwise; -1 past the last.
-  int rotate(int h) const { return twin_[previous_[h]]; }
-  int rotateBack(int h) const { return twin_[h] < 0 ? -1 : next_[twin_[h]]; }
-  /// Whether every side has two different ends, and no side occurs twice in one direction.
-  bool isOriented() const { return isOriented_; }
-
- private:
-  void findTwins() {
-    twin_.assign(tail_.size(), -1);
-    std::vector<KeyedItem> byEnds;
-    for (int h = 0; h < count(); ++h) {
-      isOriented_ &= tail(h) != tip(h);
-      byEnds.push_back({tail(h), tip(h), h});
-    }
-    visitSame(byEnds, [&](std::span<const KeyedItem> run) { isOriented_ &= run.size() == 1; });
-    for (int h = 0; h < count(); ++h) {
-      const auto other = std::lower_bound(byEnds.begin(), byEnds.end(), KeyedItem{tip(h), tail(h)});
-      if (other != byEnds.end() && (*other)[0] == tip(h) && (*other)[1] == tail(h))
-        twin_[h] = (*other)[2];
-    }
-  }
-
-  const std::vector<int>& tail_;
-  std::vector<int> next_, previous_, twin_;
-  bool isOriented_ = true;
-};
+/// A loop over the faces of a polygon mesh, as a part of a `SlicedSequence`.
+template <class Body>
+auto forFaces(const PolygonMesh& mesh, long& budget, Body body) {
+  return [&mesh, &budget, body](SlicedLoop& loop) {
+    return loop.runWeighted(mesh.faces.size(), budget, kCornersPerUnit, [&](int f) {
+      body(f);
+      return static_cast<long>(mesh.faces[f].size()) + 1;
+    });
+  };
+}
 
 // Not inlined, as the WebAssembly module would be larger.
-[[gnu::noinline]] void requireVertices(const PolygonMesh& mesh) {
+[[gnu::noinline]] void requireVertices(const PolygonMesh& mesh, int face) {
   const int vertexCount = static_cast<int>(mesh.positions.size());
-  for (int f = 0; f < mesh.faces.size(); ++f)
-    for (const int v : mesh.faces[f])
-      if (v < 0 || v >= vertexCount)
-        rejectArgument("polygon " + std::to_string(f) + ": there is no vertex " +
-                       std::to_string(v));
+  for (const int v : mesh.faces[face])
+    if (v < 0 || v >= vertexCount)
+      rejectArgument("polygon " + std::to_string(face) + ": there is no vertex " +
+                     std::to_string(v));
 }
 
-bool hasRepeatedCorner(const PolygonMesh& mesh) {
-  std::vector<int> corners;
-  for (int f = 0; f < mesh.faces.size(); ++f) {
-    corners.assign(mesh.faces[f].begin(), mesh.faces[f].end());
-    std::sort(corners.begin(), corners.end());
-    if (std::adjacent_find(corners.begin(), corners.end()) != corners.end()) return true;
+class Triangulating final : public SlicedWork<PolygonTriangles> {
+ public:
+  explicit Triangulating(const PolygonMesh& mesh) : mesh_(mesh) {}
+
+  bool advance(long budget) override {
+    // A polygon of d corners has d sides and d - 3 diagonals.
+    const size_t corners = mesh_.faces.points.size();
+    return sequence_.run([&] { return joined_.prepare(2 * corners, budget); },
+                         forFaces(mesh_, budget, [&](int f) { joinSides(f); }),
+                         forFaces(mesh_, budget, [&](int f) { cut(f); }));
   }
-  return false;
-}
+  double share() const override { return sequence_.progress(); }
+  PolygonTriangles result() override { return std::move(out_); }
 
-/// Whether the faces around each vertex form one fan: turning from face to face reaches all.
-bool hasOneFanPerVertex(const PolygonHalfedges& halfedges, int vertexCount) {
-  std::vector<int> corners(vertexCount, 0), leaving(vertexCount, -1);
-  for (int h = 0; h < halfedges.count(); ++h) {
-    ++corners[halfedges.tail(h)];
-    leaving[halfedges.tail(h)] = h;
+ private:
+  void joinSides(int f) {
+    requireVertices(mesh_, f);
+    const auto polygon = mesh_.faces[f];
+    for (size_t i = 0; i < polygon.size(); ++i)
+      joined_.add(polygon[i], polygon[(i + 1) % polygon.size()]);
   }
-  for (int v = 0; v < vertexCount; ++v) {
-    if (corners[v] == 0) continue;
-    int start = leaving[v];
-    for (int back = halfedges.rotateBack(start); back >= 0 && back != leaving[v];
-         back = halfedges.rotateBack(back))
-      start = back;
-    int met = 1;
-    for (int h = halfedges.rotate(start); h >= 0 && h != start; h = halfedges.rotate(h)) ++met;
-    if (met != corners[v]) return false;
-  }
-  return true;
-}
 
-/// The pairs of vertices that are joined by a side.
-std::set<std::pair<int, int>> sidesOf(const PolygonHalfedges& halfedges) {
-  std::set<std::pair<int, int>> sides;
-  for (int h = 0; h < halfedges.count(); ++h)
-    sides.insert(std::minmax({halfedges.tail(h), halfedges.tip(h)}));
-  return sides;
-}
-
-/// The components of some vertices, joined by the sides between them.
-int countComponents(const PolygonHalfedges& halfedges, int vertices) {
-  DisjointSets joined;
-  for (int h = 0; h < halfedges.count(); ++h) {
-    const int tail = joined.root(halfedges.tail(h)), tip = joined.root(halfedges.tip(h));
-    if (tail == tip) continue;
-    joined.unite(tail, tip);
-    --vertices;
-  }
-  return vertices;
-}
-
-/// Holds for manifolds only.
-int countBoundaryLoops(const PolygonHalfedges& halfedges) {
-  std::vector<char> isWalked(halfedges.count(), false);
-  int loops = 0;
-  for (int start = 0; start < halfedges.count(); ++start) {
-    if (halfedges.twin(start) >= 0 || isWalked[start]) continue;
-    ++loops;
-    for (int h = start; !isWalked[h];) {
-      isWalked[h] = true;
-      h = halfedges.next(h);
-      while (halfedges.twin(h) >= 0) h = halfedges.next(halfedges.twin(h));
-    }
-  }
-  return loops;
-}
-
-}  // namespace
-
-PolygonTriangles triangulate(const PolygonMesh& mesh) {
-  requireVertices(mesh);
-  std::set<std::pair<int, int>> joined = sidesOf(PolygonHalfedges(mesh));
-  PolygonTriangles result;
-  ConvexTriangulation triangulation;
-  std::vector<Eigen::Vector2d> corners;
-  for (int f = 0; f < mesh.faces.size(); ++f) {
-    const auto polygon = mesh.faces[f];
-    if (polygon.size() < 3) continue;
-    const auto position = [&](size_t i) { return mesh.positions[polygon[i % polygon.size()]]; };
+  void cut(int f) {
+    const auto polygon = mesh_.faces[f];
+    if (polygon.size() < 3) return;
+    const auto position = [&](size_t i) { return mesh_.positions[polygon[i % polygon.size()]]; };
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
     for (size_t i = 0; i < polygon.size(); ++i)
       normal += (position(i) - position(0)).cross(position(i + 1) - position(0));
     const Eigen::Vector3d x = normal.unitOrthogonal(), y = normal.stableNormalized().cross(x);
-    corners.clear();
+    corners_.clear();
     for (size_t i = 0; i < polygon.size(); ++i)
-      corners.emplace_back(x.dot(position(i)), y.dot(position(i)));
-    const auto pair = [&](int a, int b) {
-      return std::pair<int, int>(std::minmax(polygon[a], polygon[b]));
-    };
-    const auto isJoined = [&](int a, int b) { return joined.contains(pair(a, b)); };
-    for (const auto& [a, b, c] : triangulation.compute(corners, isJoined)) {
-      result.triangles.push_back({polygon[a], polygon[b], polygon[c]});
-      result.face.push_back(f);
-      joined.insert({pair(a, b), pair(b, c), pair(a, c)});
+      corners_.emplace_back(x.dot(position(i)), y.dot(position(i)));
+    const auto isJoined = [&](int a, int b) { return joined_.find(polygon[a], polygon[b]) >= 0; };
+    for (const auto& [a, b, c] : triangulation_.compute(corners_, isJoined)) {
+      out_.triangles.push_back({polygon[a], polygon[b], polygon[c]});
+      out_.face.push_back(f);
+      joined_.add(polygon[a], polygon[b]);
+      joined_.add(polygon[b], polygon[c]);
+      joined_.add(polygon[a], polygon[c]);
     }
   }
-  return result;
+
+  const PolygonMesh& mesh_;
+  SlicedSequence sequence_;
+  IndexPairs joined_;  ///< vertices with a side or a diagonal between them
+  PolygonTriangles out_;
+  // Of the current polygon.
+  std::vector<Eigen::Vector2d> corners_;
+  ConvexTriangulation triangulation_;
+};
+
+/// Halfedge h leaves corner h in the list of all faces' corners.
+class TopologyFinding final : public SlicedWork<PolygonTopology> {
+ public:
+  explicit TopologyFinding(const PolygonMesh& mesh)
+      : mesh_(mesh),
+        leaving_(mesh.positions.size(), -1),
+        corners_(mesh.positions.size()),
+        next_(mesh.faces.points.size()),
+        previous_(next_.size()),
+        twin_(next_.size(), -1),
+        isWalked_(next_.size()) {
+    out_.isManifold = true;
+    out_.faces = mesh.faces.size();
+  }
+
+  bool advance(long budget) override {
+    return sequence_.run([&] { return sides_.prepare(next_.size(), budget); },
+                         forFaces(mesh_, budget, [&](int f) { addFace(f); }),
+                         forEach(leaving_, budget, kCornersPerUnit, [&](int v) { addVertex(v); }),
+                         forEach(twin_, budget, kCornersPerUnit,
+                                 [&](int h) {
+                                   joinEnds(h);
+                                   if (out_.isManifold) walkBoundaryFrom(h);
+                                 }),
+                         [&] { addUp(); });
+  }
+  double share() const override { return sequence_.progress(); }
+  PolygonTopology result() override { return out_; }
+
+ private:
+  int tail(int h) const { return mesh_.faces.points[h]; }
+  int tip(int h) const { return tail(next_[h]); }
+  /// The next halfedge that leaves the same vertex, counterclockwise; -1 past the last.
+  int rotate(int h) const { return twin_[previous_[h]]; }
+  int rotateBack(int h) const { return twin_[h] < 0 ? -1 : next_[twin_[h]]; }
+
+  void addFace(int f) {
+    requireVertices(mesh_, f);
+    const int first = mesh_.faces.offset[f], end = mesh_.faces.offset[f + 1];
+    for (int h = first; h < end; ++h) {
+      next_[h] = h + 1 < end ? h + 1 : first;
+      previous_[next_[h]] = h;
+    }
+    for (int h = first; h < end; ++h) addHalfedge(h);
+    sorted_.assign(mesh_.faces[f].begin(), mesh_.faces[f].end());
+    std::sort(sorted_.begin(), sorted_.end());
+    if (std::adjacent_find(sorted_.begin(), sorted_.end()) != sorted_.end())
+      out_.isManifold = false;
+  }
+
+  void addHalfedge(int h) {
+    leaving_[tail(h)] = h;
+    ++corners_[tail(h)];
+    const size_t side = sides_.add(tail(h), tip(h));
+    if (side == onSide_.size()) onSide_.push_back({-1, -1});
+    // One per direction.
+    int& own = onSide_[side][tail(h) > tip(h)];
+    const int other = onSide_[side][tail(h) < tip(h)];
+    if (own >= 0 || tail(h) == tip(h)) out_.isManifold = false;
+    own = h;
+    if (other < 0) return;
+    twin_[h] = other;
+    twin_[other] = h;
+  }
+
+  void addVertex(int v) {
+    if (corners_[v] == 0) return;
+    ++out_.vertices;
+    ++out_.components;
+    out_.isManifold = out_.isManifold && hasOneFan(v);
+  }
+
+  /// Whether the faces around a vertex form one fan: turning from face to face reaches all.
+  bool hasOneFan(int v) const {
+    int start = leaving_[v];
+    for (int back = rotateBack(start); back >= 0 && back != leaving_[v]; back = rotateBack(back))
+      start = back;
+    int met = 1;
+    for (int h = rotate(start); h >= 0 && h != start; h = rotate(h)) ++met;
+    return met == corners_[v];
+  }
+
+  void walkBoundaryFrom(int start) {
+    if (twin_[start] >= 0 || isWalked_[start]) return;
+    ++out_.boundaryLoops;
+    for (int h = start; !isWalked_[h];) {
+      isWalked_[h] = true;
+      h = next_[h];
+      while (twin_[h] >= 0) h = next_[twin_[h]];
+    }
+  }
+
+  void joinEnds(int h) {
+    const int from = joined_.root(tail(h)), to = joined_.root(tip(h));
+    if (from == to) return;
+    joined_.unite(from, to);
+    --out_.components;
+  }
+
+  void addUp() {
+    out_.edges = sides_.count();
+    out_.eulerCharacteristic = out_.vertices - out_.edges + out_.faces;
+    if (out_.isManifold)
+      out_.genus = genusOf(out_.components, out_.boundaryLoops, out_.eulerCharacteristic);
+  }
+
+  const PolygonMesh& mesh_;
+  SlicedSequence sequence_;
+  IndexPairs sides_;
+  std::vector<std::array<int, 2>> onSide_;  ///< halfedges, -1 for none
+  std::vector<int> leaving_;                ///< a halfedge of each vertex
+  std::vector<int> corners_;                ///< how many are at each vertex
+  std::vector<int> next_, previous_, twin_;
+  std::vector<int> sorted_;     ///< vertices of the current face
+  std::vector<char> isWalked_;  ///< halfedges
+  DisjointSets joined_;         ///< vertices
+  PolygonTopology out_;
+};
+
+}  // namespace
+
+std::unique_ptr<SlicedWork<PolygonTriangles>> startTriangulation(const PolygonMesh& mesh) {
+  return std::make_unique<Triangulating>(mesh);
 }
 
-PolygonTopology topologyOf(const PolygonMesh& mesh) {
-  requireVertices(mesh);
-  const int vertexCount = static_cast<int>(mesh.positions.size());
-  const PolygonHalfedges halfedges(mesh);
-  PolygonTopology topology;
-  std::vector<char> isUsed(vertexCount, false);
-  for (int h = 0; h < halfedges.count(); ++h) isUsed[halfedges.tail(h)] = true;
-  topology.edges = static_cast<int>(sidesOf(halfedges).size());
-  topology.vertices = static_cast<int>(std::count(isUsed.begin(), isUsed.end(), true));
-  topology.faces = mesh.faces.size();
-  topology.eulerCharacteristic = topology.vertices - topology.edges + topology.faces;
-  topology.components = countComponents(halfedges, topology.vertices);
-  topology.isManifold = halfedges.isOriented() && !hasRepeatedCorner(mesh) &&
-                        hasOneFanPerVertex(halfedges, vertexCount);
-  if (!topology.isManifold) return topology;
-  topology.boundaryLoops = countBoundaryLoops(halfedges);
-  topology.genus =
-      genusOf(topology.components, topology.boundaryLoops, topology.eulerCharacteristic);
-  return topology;
+PolygonTriangles triangulate(const PolygonMesh& mesh) { return finished(startTriangulation(mesh)); }
+
+std::unique_ptr<SlicedWork<PolygonTopology>> startTopology(const PolygonMesh& mesh) {
+  return std::make_unique<TopologyFinding>(mesh);
 }
+
+PolygonTopology topologyOf(const PolygonMesh& mesh) { return finished(startTopology(mesh)); }
 
 }  // namespace gvd
