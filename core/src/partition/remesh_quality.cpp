@@ -3,14 +3,15 @@
 // The quality of a remesh: angles and valences of its triangles, and distance from the surface.
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <numbers>
 #include <optional>
-#include <set>
 #include <utility>
 #include <vector>
 
+#include "base/index_pairs.h"
 #include "base/sliced_loop.h"
 #include "gvd/remesh.h"
 #include "gvd/surface_point.h"
@@ -22,14 +23,6 @@ namespace gvd {
 namespace {
 
 using Eigen::Vector3d;
-using Triangles = std::vector<SpaceTriangle>;
-
-Triangles inSpace(const PolygonMesh& mesh, const PolygonTriangles& cut) {
-  Triangles triangles;
-  for (const auto& [a, b, c] : cut.triangles)
-    triangles.push_back({mesh.positions[a], mesh.positions[b], mesh.positions[c]});
-  return triangles;
-}
 
 /// The least angle of a triangle, in degrees; 0 if it has no area.
 double leastAngle(const SpaceTriangle& t) {
@@ -41,58 +34,101 @@ double leastAngle(const SpaceTriangle& t) {
   return least * 180 / std::numbers::pi;
 }
 
-void measureAngles(const Triangles& triangles, RemeshQuality& quality) {
-  quality.triangles = static_cast<int>(triangles.size());
-  if (triangles.empty()) return;
-  quality.minAngle = 180;
-  for (const auto& triangle : triangles) {
+double perimeter(const SpaceTriangle& t) {
+  const auto& [a, b, c] = t;
+  return (b - a).norm() + (c - b).norm() + (a - c).norm();
+}
+
+/// Measures the triangles of a remesh, in slices: all of `RemeshQuality` but for the distance.
+class TriangleMeasuring {
+ public:
+  /// The remesh must outlive this.
+  explicit TriangleMeasuring(const PolygonMesh& remesh)
+      : remesh_(remesh),
+        cutting_(startTriangulation(remesh)),
+        neighbours_(remesh.positions.size()),
+        triangles_(remesh.positions.size()) {}
+
+  bool step(long& budget) {
+    return sequence_.run([&] { return cutting_->step(budget); },
+                         [&] {
+                           cut_ = cutting_->take().triangles;
+                           inSpace_.reserve(cut_.size());
+                           quality_.triangles = static_cast<int>(cut_.size());
+                           if (!cut_.empty()) quality_.minAngle = 180;
+                         },
+                         [&] { return joined_.prepare(2 * cut_.size(), budget); },
+                         forEach(cut_, budget, 1, [&](int t) { measure(t); }),
+                         forEach(neighbours_, budget, kQuickRounds, [&](int v) { addValence(v); }),
+                         [&] {
+                           if (inside_ > 0)
+                             quality_.regularShare = static_cast<double>(regular_) / inside_;
+                         });
+  }
+  const RemeshQuality& quality() const { return quality_; }
+  double meanSide() const { return perimeters_ / (3 * static_cast<double>(cut_.size())); }
+  std::vector<SpaceTriangle> takeInSpace() { return std::move(inSpace_); }
+
+ private:
+  void measure(int t) {
+    const auto& [a, b, c] = cut_[t];
+    const SpaceTriangle& triangle = inSpace_.emplace_back(
+        SpaceTriangle{remesh_.positions[a], remesh_.positions[b], remesh_.positions[c]});
     const double angle = leastAngle(triangle);
-    quality.minAngle = std::min(quality.minAngle, angle);
-    quality.meanMinAngle += angle / quality.triangles;
-  }
-}
-
-/// Measures the inner vertices: those with as many triangles as neighbours.
-void measureValences(const PolygonTriangles& cut, int vertexCount, RemeshQuality& quality) {
-  std::vector<std::set<int>> neighbours(vertexCount);
-  std::vector<int> around(vertexCount, 0);
-  for (const auto& triangle : cut.triangles)
-    for (int i = 0; i < 3; ++i) {
-      ++around[triangle[i]];
-      neighbours[triangle[i]].insert({triangle[cornerAfter(i)], triangle[cornerBefore(i)]});
+    quality_.minAngle = std::min(quality_.minAngle, angle);
+    quality_.meanMinAngle += angle / quality_.triangles;
+    perimeters_ += perimeter(triangle);
+    for (const int v : cut_[t]) ++triangles_[v];
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
+      const int count = joined_.count();
+      if (joined_.add(from, to) < count) continue;
+      ++neighbours_[from];
+      neighbours_[to] += from != to;
     }
-  int inside = 0, regular = 0;
-  for (int v = 0; v < vertexCount; ++v) {
-    const int valence = static_cast<int>(neighbours[v].size());
-    if (valence == 0 || valence != around[v]) continue;
-    quality.minValence = inside == 0 ? valence : std::min(quality.minValence, valence);
-    quality.maxValence = std::max(quality.maxValence, valence);
-    regular += valence == 6;
-    ++inside;
   }
-  if (inside > 0) quality.regularShare = static_cast<double>(regular) / inside;
-}
 
-double meanSide(const Triangles& triangles) {
-  double sum = 0;
-  for (const auto& [a, b, c] : triangles) sum += (b - a).norm() + (c - b).norm() + (a - c).norm();
-  return sum / (3 * static_cast<double>(triangles.size()));
-}
+  /// Adds an inner vertex: one with as many triangles as neighbours.
+  void addValence(int v) {
+    const int valence = neighbours_[v];
+    if (valence == 0 || valence != triangles_[v]) return;
+    quality_.minValence = inside_ == 0 ? valence : std::min(quality_.minValence, valence);
+    quality_.maxValence = std::max(quality_.maxValence, valence);
+    regular_ += valence == 6;
+    ++inside_;
+  }
+
+  const PolygonMesh& remesh_;
+  SlicedSequence sequence_;
+  std::unique_ptr<SlicedWork<PolygonTriangles>> cutting_;
+  std::vector<std::array<int, 3>> cut_;
+  std::vector<SpaceTriangle> inSpace_;
+  std::vector<int> neighbours_, triangles_;  ///< how many each vertex has
+  IndexPairs joined_;                        ///< neighbours
+  int inside_ = 0, regular_ = 0;             ///< vertices
+  double perimeters_ = 0;                    ///< of all triangles
+  RemeshQuality quality_;
+};
 
 class QualityMeasuring final : public SlicedWork<RemeshQuality> {
  public:
   QualityMeasuring(const TriangleMesh& surface, std::unique_ptr<SlicedWork<PolygonMesh>> remeshing)
       : surface_(surface), remeshing_(std::move(remeshing)), surfaceTree_(surface) {}
-  QualityMeasuring(const TriangleMesh& surface, const PolygonMesh& remesh)
-      : surface_(surface), surfaceTree_(surface) {
-    measureRemesh(remesh);
-  }
+  QualityMeasuring(const TriangleMesh& surface, PolygonMesh remesh)
+      : surface_(surface), remesh_(std::move(remesh)), surfaceTree_(surface) {}
 
   bool advance(long budget) override {
     return sequence_.run(
         [&] { return !remeshing_ || remeshing_->step(budget); },
         [&] {
-          if (remeshing_) measureRemesh(remeshing_->take());
+          if (remeshing_) remesh_ = remeshing_->take();
+        },
+        [&] { return runPart(triangles_, budget, remesh_); },
+        [&] {
+          quality_ = triangles_->quality();
+          // Not zero, where the remesh is as small as a point.
+          const double mean = surface_.meanEdgeLength();
+          resolution_ = std::max(std::min(mean, triangles_->meanSide()), mean / 64);
+          remeshTree_.emplace(triangles_->takeInSpace());
         },
         [&] { return remeshTree_->step(budget); }, [&] { return surfaceTree_.step(budget); },
         [&] { return runPart(fromRemesh_, budget, *remeshTree_, surfaceTree_, 0., resolution_); },
@@ -106,24 +142,15 @@ class QualityMeasuring final : public SlicedWork<RemeshQuality> {
   RemeshQuality result() override { return quality_; }
 
  private:
-  void measureRemesh(const PolygonMesh& remesh) {
-    const PolygonTriangles cut = triangulate(remesh);
-    Triangles triangles = inSpace(remesh, cut);
-    measureAngles(triangles, quality_);
-    measureValences(cut, static_cast<int>(remesh.positions.size()), quality_);
-    // Not zero, where the remesh is as small as a point.
-    const double mean = surface_.meanEdgeLength();
-    resolution_ = std::max(std::min(mean, meanSide(triangles)), mean / 64);
-    remeshTree_.emplace(std::move(triangles));
-  }
-
   const TriangleMesh& surface_;
-  std::unique_ptr<SlicedWork<PolygonMesh>> remeshing_;  ///< null if the remesh is known
+  std::unique_ptr<SlicedWork<PolygonMesh>> remeshing_;  ///< null if the remesh is given
+  PolygonMesh remesh_;
 
   SlicedSequence sequence_;
+  std::optional<TriangleMeasuring> triangles_;
   std::optional<TriangleTree> remeshTree_;
-  TriangleTree surfaceTree_;  ///< of the surface
-  double resolution_ = 0;     ///< the shorter mean edge of the two
+  TriangleTree surfaceTree_;
+  double resolution_ = 0;  ///< the shorter mean edge of the two
   std::optional<OneSidedHausdorff> fromRemesh_, fromSurface_;
   RemeshQuality quality_;
 };
@@ -131,9 +158,10 @@ class QualityMeasuring final : public SlicedWork<RemeshQuality> {
 }  // namespace
 
 double minAngleOf(const PolygonMesh& remesh) {
-  RemeshQuality quality;
-  measureAngles(inSpace(remesh, triangulate(remesh)), quality);
-  return quality.minAngle;
+  TriangleMeasuring measuring(remesh);
+  long budget = kUnlimited;
+  measuring.step(budget);
+  return measuring.quality().minAngle;
 }
 
 std::unique_ptr<SlicedWork<RemeshQuality>> startQuality(
