@@ -60,58 +60,83 @@ SurfacePoint pointOfRun(const TriangleMesh& mesh, const Partition& p,
 
 }  // namespace
 
-PolygonMesh buildDual(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
-                      const Partition& partition, const RegionComplex& complex) {
-  PolygonMesh result;
-  std::vector<int> vertexOfLabel(sites.size(), -1);
-  for (size_t l = 0; l < sites.size(); ++l) {
-    if (sites[l].face < 0) continue;
-    vertexOfLabel[l] = addVertex(mesh, sites[l], result);
-    result.vertexLabel.push_back(static_cast<int>(l));
+DualBuilding::DualBuilding(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
+                           const Partition& partition, const RegionComplex& complex)
+    : mesh_(mesh),
+      sites_(sites),
+      partition_(partition),
+      complex_(complex),
+      vertexOfLabel_(sites.size(), -1),
+      vertexOfRun_(complex.borders.size(), -1) {}
+
+bool DualBuilding::step(long& budget) {
+  return sequence_.run(forEach(sites_, budget, 4, [&](int l) { addSite(l); }),
+                       forEach(complex_.borders, budget, 8, [&](int b) { addRun(b); }),
+                       forEach(complex_.vertices, budget, 4, [&](int v) { addPolygon(v); }));
+}
+
+void DualBuilding::addSite(int label) {
+  if (sites_[label].face < 0) return;
+  vertexOfLabel_[label] = addVertex(mesh_, sites_[label], out_);
+  out_.vertexLabel.push_back(label);
+}
+
+void DualBuilding::addRun(int b) {
+  const RegionComplex::Border& border = complex_.borders[b];
+  if (!isRun(border)) return;
+  vertexOfRun_[b] = addVertex(mesh_, pointOfRun(mesh_, partition_, border), out_);
+  out_.vertexLabel.push_back(border.label);
+}
+
+void DualBuilding::addPolygon(int v) {
+  const RegionComplex::Vertex& vertex = complex_.vertices[v];
+  std::vector<int> polygon = complex_.labelsAt(v);
+  for (int& corner : polygon) corner = vertexOfLabel_[corner];
+  if (vertex.isOnBoundary()) {
+    polygon.insert(polygon.begin(), vertexOfRun_[vertex.borders.front()]);
+    polygon.push_back(vertexOfRun_[vertex.arrivingRun]);
   }
-  std::vector<int> vertexOfRun(complex.borders.size(), -1);
-  for (size_t b = 0; b < complex.borders.size(); ++b) {
-    const RegionComplex::Border& border = complex.borders[b];
-    if (!isRun(border)) continue;
-    vertexOfRun[b] = addVertex(mesh, pointOfRun(mesh, partition, border), result);
-    result.vertexLabel.push_back(border.label);
-  }
-  std::vector<int> polygon;
-  for (size_t v = 0; v < complex.vertices.size(); ++v) {
-    const RegionComplex::Vertex& vertex = complex.vertices[v];
-    polygon = complex.labelsAt(static_cast<int>(v));
-    for (int& corner : polygon) corner = vertexOfLabel[corner];
-    if (vertex.isOnBoundary()) {
-      polygon.insert(polygon.begin(), vertexOfRun[vertex.borders.front()]);
-      polygon.push_back(vertexOfRun[vertex.arrivingRun]);
-    }
-    result.faces.add(polygon);
-  }
-  return result;
+  out_.faces.add(polygon);
 }
 
 namespace {
 
-PolygonMesh buildRegions(const TriangleMesh& mesh, const Partition& partition,
-                         const RegionComplex& complex) {
-  PolygonMesh result;
-  for (const RegionComplex::Vertex& vertex : complex.vertices)
-    addVertex(mesh, partition.points[vertex.point], result);
-  std::vector<int> polygon;
-  for (const RegionComplex::Loop& loop : complex.loops) {
-    polygon.clear();
+/// The same for the regions themselves.
+class RegionMeshBuilding {
+ public:
+  RegionMeshBuilding(const TriangleMesh& mesh, const Partition& partition,
+                     const RegionComplex& complex)
+      : mesh_(mesh), partition_(partition), complex_(complex) {}
+
+  bool step(long& budget) {
+    return sequence_.run(
+        forEach(
+            complex_.vertices, budget, 4,
+            [&](int v) { addVertex(mesh_, partition_.points[complex_.vertices[v].point], out_); }),
+        forEach(complex_.loops, budget, 1, [&](int l) { addPolygon(complex_.loops[l]); }));
+  }
+  PolygonMesh take() { return std::move(out_); }
+
+ private:
+  void addPolygon(const RegionComplex::Loop& loop) {
+    std::vector<int> polygon;
     for (int b = loop.firstBorder; b < loop.firstBorder + loop.borderCount; ++b) {
-      const RegionComplex::Border& border = complex.borders[b];
+      const RegionComplex::Border& border = complex_.borders[b];
       if (border.fromVertex >= 0) polygon.push_back(border.fromVertex);
       if (isRun(border))
-        polygon.push_back(addVertex(mesh, pointOfRun(mesh, partition, border), result));
+        polygon.push_back(addVertex(mesh_, pointOfRun(mesh_, partition_, border), out_));
     }
-    if (polygon.empty()) continue;
-    result.faces.add(polygon);
-    result.faceLabel.push_back(loop.label);
+    if (polygon.empty()) return;
+    out_.faces.add(polygon);
+    out_.faceLabel.push_back(loop.label);
   }
-  return result;
-}
+
+  const TriangleMesh& mesh_;
+  const Partition& partition_;
+  const RegionComplex& complex_;
+  SlicedSequence sequence_;
+  PolygonMesh out_;
+};
 
 }  // namespace
 
@@ -121,7 +146,7 @@ std::unique_ptr<SlicedWork<PolygonMesh>> startDualMesh(const TriangleMesh& mesh,
   return fromRegions(mesh, diagram,
                      [&mesh, sites = sitesOf(mesh, diagram, sites)](const Partition& partition,
                                                                     const RegionComplex& complex) {
-                       return buildDual(mesh, sites, partition, complex);
+                       return DualBuilding(mesh, sites, partition, complex);
                      });
 }
 
@@ -134,7 +159,7 @@ std::unique_ptr<SlicedWork<PolygonMesh>> startRegionMesh(const TriangleMesh& mes
                                                          const Diagram& diagram) {
   return fromRegions(mesh, diagram,
                      [&mesh](const Partition& partition, const RegionComplex& complex) {
-                       return buildRegions(mesh, partition, complex);
+                       return RegionMeshBuilding(mesh, partition, complex);
                      });
 }
 

@@ -4,12 +4,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/rejection.h"
+#include "base/sliced_loop.h"
 #include "gvd/dual.h"
 #include "gvd/partition.h"
 #include "mesh/given_points.h"
@@ -17,38 +19,56 @@
 
 namespace gvd {
 
-/// Like `dualMesh`, but from a partition, which leaves out components without a site.
-PolygonMesh buildDual(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
-                      const Partition& partition, const RegionComplex& complex);
-
-/// Work that computes a result from the regions of a diagram, at one go.
-template <class Result, class Make>
-class FromRegions final : public SlicedWork<Result> {
+/// Builds a dual from a partition that leaves out components without a site, in slices.
+class DualBuilding {
  public:
-  FromRegions(const TriangleMesh& mesh, const Diagram& diagram, Make make)
-      : regions_(mesh, diagram), make_(std::move(make)) {}
-
-  bool advance(long budget) override {
-    if (!regions_.step(budget) || budget <= 0) return false;
-    result_ = make_(regions_.partition(), regions_.complex());
-    return true;
-  }
-  double share() const override { return regions_.progress(); }
-  Result result() override { return std::move(result_); }
+  /// All must outlive this.
+  DualBuilding(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
+               const Partition& partition, const RegionComplex& complex);
+  bool step(long& budget);
+  PolygonMesh take() { return std::move(out_); }
 
  private:
-  RegionsBuilding regions_;
-  Make make_;
-  Result result_;
+  void addSite(int label);
+  void addRun(int border);
+  void addPolygon(int vertex);
+
+  const TriangleMesh& mesh_;
+  const std::span<const SurfacePoint> sites_;
+  const Partition& partition_;
+  const RegionComplex& complex_;
+  SlicedSequence sequence_;
+  std::vector<int> vertexOfLabel_, vertexOfRun_;
+  PolygonMesh out_;
 };
 
-/// Starts such work; `make(partition, complex)` computes the result.
+/// Work that makes a result of the regions of a diagram: `make(partition, complex)` is a part that
+/// does it in slices.
 template <class Make>
 auto fromRegions(const TriangleMesh& mesh, const Diagram& diagram, Make make) {
-  using Result =
+  using Part =
       decltype(make(std::declval<const Partition&>(), std::declval<const RegionComplex&>()));
-  return std::unique_ptr<SlicedWork<Result>>(
-      new FromRegions<Result, Make>(mesh, diagram, std::move(make)));
+  using Result = decltype(std::declval<Part>().take());
+  class FromRegions final : public SlicedWork<Result> {
+   public:
+    FromRegions(const TriangleMesh& mesh, const Diagram& diagram, Make make)
+        : regions_(mesh, diagram), make_(std::move(make)) {}
+
+    bool advance(long budget) override {
+      return sequence_.run([&] { return regions_.step(budget); },
+                           [&] { part_.emplace(make_(regions_.partition(), regions_.complex())); },
+                           [&] { return part_->step(budget); });
+    }
+    double share() const override { return regions_.progress(); }
+    Result result() override { return part_->take(); }
+
+   private:
+    SlicedSequence sequence_;
+    RegionsBuilding regions_;
+    Make make_;
+    std::optional<Part> part_;
+  };
+  return std::unique_ptr<SlicedWork<Result>>(new FromRegions(mesh, diagram, std::move(make)));
 }
 
 /// The sites of a diagram, with clean coordinates. Throws `Error(kInvalidArgument)` unless there is
@@ -65,22 +85,8 @@ inline std::vector<SurfacePoint> sitesOf(const TriangleMesh& mesh, const Diagram
   return allOnMesh(mesh, sites, "site ");
 }
 
-/// A violation, and the triangles of the partition where it shows. A place inside of one, far from
-/// all sites, is good for another site: on the mesh boundary, triangles of the dual could have no
-/// area.
-struct Finding {
-  Violation violation;
-  std::vector<int> triangles;
-  int bareFace = -1;  ///< of a component without a site, which the partition leaves out
-};
-
-/// Like `findViolations`, in the same order.
-std::vector<Finding> inspect(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
-                             const Diagram& diagram, const Partition& partition,
-                             const RegionComplex& complex);
-
-/// `RemeshQuality::minAngle` alone.
-double minAngleOf(const PolygonMesh& remesh);
+/// `RemeshQuality::minAngle` alone. The mesh must outlive the work.
+std::unique_ptr<SlicedWork<double>> startMinAngle(const PolygonMesh& remesh);
 
 /// Throws unless so many sites may be added by `repair` or `remesh`.
 void requireMaxAdded(int count);

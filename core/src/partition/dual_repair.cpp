@@ -21,6 +21,7 @@
 #include "mesh/face_layout.h"
 #include "mesh/representations.h"
 #include "partition/dual_parts.h"
+#include "partition/dual_violations.h"
 
 namespace gvd {
 namespace {
@@ -123,12 +124,12 @@ struct Gaps {
   std::string firstViolation;  ///< its message, empty if there are no violations
 };
 
-/// The gaps for the violations of a diagram.
-Gaps gapsOf(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, const Diagram& diagram,
-            const Partition& partition, const RegionComplex& complex) {
+/// The gaps for violations.
+Gaps gapsOf(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
+            const Partition& partition, std::span<const Finding> findings) {
   Gaps found;
-  std::vector<char> isTouched(diagram.siteCount);  // regions that a new site may change
-  for (const Finding& finding : inspect(mesh, sites, diagram, partition, complex)) {
+  std::vector<char> isTouched(partition.regions.size());  // regions that a new site may change
+  for (const Finding& finding : findings) {
     const Violation& violation = finding.violation;
     const std::vector<int>& labels = violation.labels;
     if (found.firstViolation.empty()) found.firstViolation = violation.message;
@@ -153,23 +154,27 @@ class GapFilling final : public SlicedWork<std::vector<SurfacePoint>> {
  public:
   GapFilling(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, const Diagram& diagram,
              const DistanceField& field)
-      : finding_(fromRegions(mesh, diagram,
-                             [&mesh, sites = sitesOf(mesh, diagram, sites), &diagram](
-                                 const Partition& partition, const RegionComplex& complex) {
-                               return gapsOf(mesh, sites, diagram, partition, complex);
-                             })),
-        field_(field) {}
+      : mesh_(mesh),
+        sites_(sitesOf(mesh, diagram, sites)),
+        diagram_(diagram),
+        field_(field),
+        regions_(mesh, diagram) {}
 
   bool advance(long budget) override {
-    return sequence_.run([&] { return finding_->step(budget); },
+    return sequence_.run([&] { return regions_.step(budget); },
                          [&] {
-                           found_ = finding_->take();
+                           return runPart(finding_, budget, mesh_, sites_, diagram_,
+                                          regions_.partition(), regions_.complex());
+                         },
+                         [&] {
+                           found_ = gapsOf(mesh_, sites_, regions_.partition(),
+                                           finding_->takeFindings());
                            startDistances();
                          },
                          [&] { return distances_->step(budget); });
   }
   double share() const override {
-    return distances_ ? (1 + distances_->progress()) / 2 : finding_->progress() / 2;
+    return distances_ ? (1 + distances_->progress()) / 2 : regions_.progress() / 2;
   }
 
   std::vector<SurfacePoint> result() override {
@@ -202,9 +207,13 @@ class GapFilling final : public SlicedWork<std::vector<SurfacePoint>> {
     distances_ = field_.startDistancesAt(std::move(points));
   }
 
-  std::unique_ptr<SlicedWork<Gaps>> finding_;
+  const TriangleMesh& mesh_;
+  const std::vector<SurfacePoint> sites_;
+  const Diagram& diagram_;
   const DistanceField& field_;
   SlicedSequence sequence_;
+  RegionsBuilding regions_;
+  std::optional<ViolationFinding> finding_;
   Gaps found_;
   std::unique_ptr<SlicedWork<std::vector<double>>> distances_;
 };

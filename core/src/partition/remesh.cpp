@@ -13,6 +13,7 @@
 #include "base/sliced_loop.h"
 #include "gvd/error.h"
 #include "partition/dual_parts.h"
+#include "partition/dual_violations.h"
 
 namespace gvd {
 namespace {
@@ -53,8 +54,9 @@ class Settling final : public SlicedWork<RepairedSites> {
   bool advance(long budget) override {
     if (isOver_ || movable_.empty()) return true;
     if (!keptAngle_) {
-      if (!runPart(regions_, budget, mesh_, kept_.diagram)) return false;
-      keptAngle_ = minAngle(kept_);
+      if (!runPart(regions_, budget, mesh_, kept_.diagram) || !measureAngle(kept_, budget))
+        return false;
+      keptAngle_ = angle_->take();
       regions_.reset();
       return false;
     }
@@ -66,6 +68,15 @@ class Settling final : public SlicedWork<RepairedSites> {
                   },
                   [&] { moved_ = stateOf(*cvt_, kept_.added); },
                   [&] { return runPart(regions_, budget, mesh_, moved_.diagram); },
+                  [&] {
+                    return runPart(finding_, budget, mesh_, moved_.sites, moved_.diagram,
+                                   regions_->partition(), regions_->complex());
+                  },
+                  [&] {
+                    findings_ = finding_->takeFindings();
+                    finding_.reset();
+                  },
+                  [&] { return !findings_.empty() || measureAngle(moved_, budget); },
                   [&] {
                     judge();
                     regions_.reset();
@@ -80,7 +91,7 @@ class Settling final : public SlicedWork<RepairedSites> {
 
  private:
   bool isMovable(int label) const {
-    return std::find(movable_.begin(), movable_.end(), label) != movable_.end();
+    return std::binary_search(movable_.begin(), movable_.end(), label);
   }
 
   CvtOptions optionsOfStep() const {
@@ -91,36 +102,52 @@ class Settling final : public SlicedWork<RepairedSites> {
     return options;
   }
 
-  /// The least angle of a dual whose regions are there.
-  double minAngle(const RepairedSites& of) const {
-    return minAngleOf(buildDual(mesh_, of.sites, regions_->partition(), regions_->complex()));
+  /// Measures the least angle of the dual of sites whose regions are there.
+  bool measureAngle(const RepairedSites& of, long budget) {
+    if (!measuring_.run(
+            [&] {
+              return runPart(building_, budget, mesh_, of.sites, regions_->partition(),
+                             regions_->complex());
+            },
+            [&] {
+              dual_ = taken(building_);
+              angle_ = startMinAngle(dual_);
+            },
+            [&] { return angle_->step(budget); }))
+      return false;
+    measuring_ = {};
+    return true;
   }
 
   /// Keeps the moved sites if their dual is valid and better than the one before. The sites of
   /// violations must not move any more; if none of them has moved, the next step would be the same.
   void judge() {
-    const auto findings =
-        inspect(mesh_, moved_.sites, moved_.diagram, regions_->partition(), regions_->complex());
-    const double angle = findings.empty() ? minAngle(moved_) : 0;
+    const double angle = findings_.empty() ? angle_->take() : 0;
     isOver_ = angle <= *keptAngle_;
     if (!isOver_) {
       kept_ = std::move(moved_);
       keptAngle_ = angle;
     }
-    for (const Finding& finding : findings)
+    for (const Finding& finding : findings_)
       for (const int label : finding.violation.labels)
         if (std::erase(movable_, label) > 0) isOver_ = false;
   }
 
   const TriangleMesh& mesh_;
   RepairedSites kept_, moved_;
-  std::vector<int> movable_;  ///< labels
+  std::vector<int> movable_;  ///< labels, ascending
   CvtOptions tessellation_;
   SlicedSequence step_;
   int stepCount_ = 0;
   std::optional<Cvt> cvt_;
   std::optional<RegionsBuilding> regions_;  ///< of `kept_`, then of `moved_`
-  std::optional<double> keptAngle_;         ///< the least of the dual of `kept_`
+  std::optional<ViolationFinding> finding_;
+  std::vector<Finding> findings_;  ///< about `moved_`
+  SlicedSequence measuring_;
+  std::optional<DualBuilding> building_;
+  PolygonMesh dual_;
+  std::unique_ptr<SlicedWork<double>> angle_;  ///< the least of the dual
+  std::optional<double> keptAngle_;            ///< that of `kept_`
   bool isOver_ = false;
 };
 

@@ -155,13 +155,22 @@ class QualityMeasuring final : public SlicedWork<RemeshQuality> {
   RemeshQuality quality_;
 };
 
+class AngleMeasuring final : public SlicedWork<double> {
+ public:
+  explicit AngleMeasuring(const PolygonMesh& remesh) : triangles_(remesh) {}
+
+  bool advance(long budget) override { return triangles_.step(budget); }
+  double share() const override { return 0; }  // short
+  double result() override { return triangles_.quality().minAngle; }
+
+ private:
+  TriangleMeasuring triangles_;
+};
+
 }  // namespace
 
-double minAngleOf(const PolygonMesh& remesh) {
-  TriangleMeasuring measuring(remesh);
-  long budget = kUnlimited;
-  measuring.step(budget);
-  return measuring.quality().minAngle;
+std::unique_ptr<SlicedWork<double>> startMinAngle(const PolygonMesh& remesh) {
+  return std::make_unique<AngleMeasuring>(remesh);
 }
 
 std::unique_ptr<SlicedWork<RemeshQuality>> startQuality(
