@@ -2,7 +2,6 @@
 #include "gvd/geodesic.h"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 
 #include "distance/path_points.h"
@@ -40,7 +39,7 @@ double lengthOf(const TriangleMesh& mesh, std::span<const SurfacePoint> path) {
   double length = 0;
   SurfacePoint last;
   for (size_t i = 0; i < path.size(); ++i) {
-    const SurfacePoint p = onMesh(mesh, path[i], "point " + std::to_string(i) + ": ");
+    const SurfacePoint p = onMesh(mesh, path[i], "point", i);
     if (i > 0) length += lengthBetween(mesh, last, p);
     last = p;
   }

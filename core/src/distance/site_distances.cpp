@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <string>
 #include <utility>
 
 #include "base/grouping.h"
@@ -56,7 +55,7 @@ SiteDistances::SiteDistances(const TriangleMesh& mesh, Metric metric,
 
 void SiteDistances::change(std::span<const SiteChange> changes) {
   for (const SiteChange& c : changes)
-    if (c.site) onMesh(mesh_, *c.site, "site " + std::to_string(c.label) + ": ");
+    if (c.site) onMesh(mesh_, *c.site, "site", c.label);
   changes_.assign(changes.begin(), changes.end());
   change_ = {};
   resumed_ = outdated_ = IndexSet(sites_.labelCount());

@@ -38,14 +38,20 @@ inline SurfacePoint onMesh(const TriangleMesh& mesh, const SurfacePoint& p,
   return {p.face, cleanBarycentric(p.bary)};
 }
 
-/// The same of a list, where face -1 stands for no point; the message begins with `what` and the
-/// index.
+/// The same of a point of a list; the message begins with `what` and the index.
+inline SurfacePoint onMesh(const TriangleMesh& mesh, const SurfacePoint& p, const char* what,
+                           std::size_t index) {
+  if (const std::string fault = mesh.faultOfPoint(p); !fault.empty())
+    rejectPoint(std::string(what) + " " + std::to_string(index) + ": " + fault);
+  return {p.face, cleanBarycentric(p.bary)};
+}
+
+/// The same of a list, where face -1 stands for no point.
 inline std::vector<SurfacePoint> allOnMesh(const TriangleMesh& mesh,
-                                           std::span<const SurfacePoint> points,
-                                           const std::string& what) {
+                                           std::span<const SurfacePoint> points, const char* what) {
   std::vector<SurfacePoint> clean(points.begin(), points.end());
   for (std::size_t i = 0; i < clean.size(); ++i)
-    if (clean[i].face != -1) clean[i] = onMesh(mesh, clean[i], what + std::to_string(i) + ": ");
+    if (clean[i].face != -1) clean[i] = onMesh(mesh, clean[i], what, i);
   return clean;
 }
 

@@ -82,7 +82,7 @@ inline std::vector<SurfacePoint> sitesOf(const TriangleMesh& mesh, const Diagram
   for (int label = 0; label < diagram.siteCount; ++label)
     if (sites[label].face < 0 && diagram.regionArea[label] > 0)
       rejectArgument("label " + std::to_string(label) + " has a region, but no site");
-  return allOnMesh(mesh, sites, "site ");
+  return allOnMesh(mesh, sites, "site");
 }
 
 /// `RemeshQuality::minAngle` alone. The mesh must outlive the work.

@@ -123,8 +123,7 @@ class Cvt::Solver {
     trial_.sites.assign(sites.begin(), sites.end());
     trial_.frames.assign(sites.size(), Vector2d(1, 0));
     for (size_t l = 0; l < sites.size(); ++l)
-      if (!isFixed_[l])
-        trial_.sites[l] = offVertex(onMesh(mesh_, sites[l], "site " + std::to_string(l) + ": "));
+      if (!isFixed_[l]) trial_.sites[l] = offVertex(onMesh(mesh_, sites[l], "site", l));
     evaluation_.emplace(mesh_, options_, trial_);
   }
 
