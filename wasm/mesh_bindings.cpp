@@ -275,23 +275,25 @@ GVD_ABI Answer* sampleSitesByRadius(const MeshHandle* handle, double radius, Tex
 /// all as far as that is possible (`gvd::coverComponents`).
 GVD_ABI Answer* coverComponents(const MeshHandle* handle, Ints face, Doubles bary, int perComponent,
                                 int count, double seed) {
-  return answer([&] {
+  return guarded([&] {
     const TriangleMesh& mesh = *handle->mesh;
-    return pointsRecord(
-        mesh, gvd::coverComponents(mesh, sitesFromInput(mesh, face, bary), perComponent, count,
-                                   static_cast<std::uint64_t>(seed)));
+    return pointsAnswer(
+        *handle, startCoverComponents(mesh, sitesFromInput(mesh, face, bary), perComponent, count,
+                                      static_cast<std::uint64_t>(seed)));
   });
 }
 
 /// `BareComponents`.
 GVD_ABI Answer* bareComponents(const MeshHandle* handle, Ints face, Doubles bary) {
-  return answer([&] {
-    const TriangleMesh& mesh = *handle->mesh;
-    const BareComponents bare = gvd::bareComponents(mesh, sitesFromInput(mesh, face, bary));
-    Record out;
-    out.add("components", bare.components);
-    out.add("area", bare.area);
-    return out;
+  return guarded([&] {
+    const auto mesh = handle->mesh;
+    return answerOf(startBareComponents(*mesh, sitesFromInput(*mesh, face, bary)),
+                    [mesh](const BareComponents& bare) {
+                      Record out;
+                      out.add("components", bare.components);
+                      out.add("area", bare.area);
+                      return out;
+                    });
   });
 }
 

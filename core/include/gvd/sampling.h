@@ -182,6 +182,10 @@ std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startWorstFirst(const Tri
 std::vector<SurfacePoint> coverComponents(const TriangleMesh& mesh,
                                           std::vector<SurfacePoint> points, int perComponent,
                                           int count, std::uint64_t seed);
+/// The same in steps. Here and below, the mesh must outlive the work.
+std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startCoverComponents(
+    const TriangleMesh& mesh, std::vector<SurfacePoint> points, int perComponent, int count,
+    std::uint64_t seed);
 
 struct BareComponents {
   int components = 0;
@@ -190,5 +194,7 @@ struct BareComponents {
 /// The number of components without any of these points, and their area. Labels without a site
 /// (face -1) do not count; throws `Error(kInvalidPoint)` if a point is not on the mesh. O(F).
 BareComponents bareComponents(const TriangleMesh& mesh, std::span<const SurfacePoint> points);
+std::unique_ptr<SlicedWork<BareComponents>> startBareComponents(
+    const TriangleMesh& mesh, std::span<const SurfacePoint> points);
 
 }  // namespace gvd

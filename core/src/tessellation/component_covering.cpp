@@ -3,14 +3,16 @@
 // `coverComponents` and `bareComponents`: sites on every component.
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
+#include <memory>
 #include <random>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/random.h"
 #include "base/rejection.h"
+#include "base/sliced_loop.h"
 #include "gvd/sampling.h"
 #include "mesh/given_points.h"
 #include "mesh/point_drawing.h"
@@ -18,71 +20,166 @@
 namespace gvd {
 namespace {
 
-std::vector<int> countPerComponent(const TriangleMesh& mesh, std::span<const SurfacePoint> points) {
-  std::vector<int> counts(mesh.topology().components, 0);
-  for (const SurfacePoint& p : points)
-    if (p.face != -1) ++counts[mesh.component(p.face)];
-  return counts;
-}
+constexpr long kPointsPerUnit = 8, kFacesPerUnit = 16;
 
-/// Draws points on the components that have fewer than `perComponent`, as many as they lack.
-std::vector<SurfacePoint> drawMissing(const TriangleMesh& mesh, std::span<const int> counts,
-                                      int perComponent, std::uint64_t seed) {
-  std::vector<std::vector<int>> faces(counts.size());
-  for (int f = 0; f < mesh.faceCount(); ++f)
-    if (const int c = mesh.component(f); counts[c] < perComponent) faces[c].push_back(f);
-  std::mt19937_64 random(seed);
-  std::vector<SurfacePoint> drawn;
-  for (std::size_t c = 0; c < faces.size(); ++c) {
-    std::vector<double> areas;
-    for (const int f : faces[c]) areas.push_back(mesh.faceArea(f));
-    const std::vector<double> sums = cumulative(areas);
-    for (int i = counts[c]; i < perComponent; ++i) {
-      drawn.push_back(drawPoint(random, sums));
-      drawn.back().face = faces[c][drawn.back().face];
+/// Points of a list, and how many are on each component.
+class CountedPoints {
+ public:
+  CountedPoints(const TriangleMesh& mesh, std::vector<SurfacePoint> points)
+      : mesh_(mesh), points_(std::move(points)), counts_(mesh.topology().components) {}
+
+  std::size_t size() const { return points_.size(); }
+  /// With clean coordinates, once it is counted.
+  const SurfacePoint& operator[](int i) const { return points_[i]; }
+  /// Points on each component.
+  std::vector<int>& counts() { return counts_; }
+  void count(int i) {
+    if (points_[i].face == -1) return;
+    points_[i] = onMesh(mesh_, points_[i], "point", i);
+    ++counts_[mesh_.component(points_[i].face)];
+  }
+
+ private:
+  const TriangleMesh& mesh_;
+  std::vector<SurfacePoint> points_;
+  std::vector<int> counts_;
+};
+
+/// Draws points on the components that have fewer than `perComponent`, as many as they lack, and
+/// drops given ones, from the last to the first, while there are too many.
+class ComponentCovering final : public SlicedWork<std::vector<SurfacePoint>> {
+ public:
+  ComponentCovering(const TriangleMesh& mesh, std::vector<SurfacePoint> points, int perComponent,
+                    int count, std::uint64_t seed)
+      : mesh_(mesh),
+        given_(mesh, std::move(points)),
+        perComponent_(perComponent),
+        count_(count),
+        random_(seed) {
+    requireCount(perComponent);
+    const int components = mesh.topology().components;
+    const std::int64_t needed = static_cast<std::int64_t>(perComponent) * components;
+    if (needed > count)
+      rejectArgument(std::to_string(perComponent) + " per component, of which the mesh has " +
+                     std::to_string(components) + ", makes " + std::to_string(needed) +
+                     " sites, more than the " + std::to_string(count) + " in all");
+    lacking_.resize(components);
+  }
+
+  bool advance(long budget) override {
+    const auto forGiven = [&](auto body) {
+      return forEach(given_.size(), budget, kPointsPerUnit, body);
+    };
+    return sequence_.run(
+        forGiven([&](int i) { given_.count(i); }),
+        forEach(mesh_.faceCount(), budget, kFacesPerUnit, [&](int f) { listFace(f); }),
+        [&](SlicedLoop& loop) {
+          return loop.runWeighted(lacking_.size(), budget, kPointsPerUnit,
+                                  [&](int c) { return drawOn(c) + 1L; });
+        },
+        [&] {
+          surplus_ = static_cast<std::int64_t>(missing_.size()) - count_;
+          for (const int count : given_.counts()) surplus_ += count;
+          covering_.assign(missing_.rbegin(), missing_.rend());
+        },
+        forGiven([&](int i) { keepOrDrop(given_[static_cast<int>(given_.size()) - 1 - i]); }),
+        [&] { std::reverse(covering_.begin(), covering_.end()); });
+  }
+  double share() const override { return sequence_.progress(); }
+  std::vector<SurfacePoint> result() override { return std::move(covering_); }
+
+ private:
+  /// The faces of a component that lacks points, and the cumulative sums of their areas.
+  struct Faces {
+    std::vector<int> faces;
+    std::vector<double> sums;
+  };
+
+  void listFace(int f) {
+    const int c = mesh_.component(f);
+    if (given_.counts()[c] >= perComponent_) return;
+    auto& [faces, sums] = lacking_[c];
+    faces.push_back(f);
+    sums.push_back((sums.empty() ? 0 : sums.back()) + mesh_.faceArea(f));
+  }
+
+  /// Draws the points that a component lacks; returns how many.
+  int drawOn(int c) {
+    const int lack = std::max(0, perComponent_ - given_.counts()[c]);
+    for (int i = 0; i < lack; ++i) {
+      missing_.push_back(drawPoint(random_, lacking_[c].sums));
+      missing_.back().face = lacking_[c].faces[missing_.back().face];
+    }
+    return lack;
+  }
+
+  void keepOrDrop(const SurfacePoint& p) {
+    if (surplus_ > 0 && p.face != -1 && given_.counts()[mesh_.component(p.face)] > perComponent_) {
+      --given_.counts()[mesh_.component(p.face)];
+      --surplus_;
+    } else {
+      covering_.push_back(p);
     }
   }
-  return drawn;
-}
+
+  const TriangleMesh& mesh_;
+  CountedPoints given_;
+  const int perComponent_, count_;
+  std::mt19937_64 random_;
+  SlicedSequence sequence_;
+  std::vector<Faces> lacking_;  ///< per component
+  std::vector<SurfacePoint> missing_;
+  std::int64_t surplus_ = 0;
+  std::vector<SurfacePoint> covering_;  ///< from the last to the first
+};
+
+class BareCounting final : public SlicedWork<BareComponents> {
+ public:
+  BareCounting(const TriangleMesh& mesh, std::span<const SurfacePoint> points)
+      : mesh_(mesh), points_(mesh, {points.begin(), points.end()}) {}
+
+  bool advance(long budget) override {
+    return sequence_.run(
+        forEach(points_.size(), budget, kPointsPerUnit, [&](int i) { points_.count(i); }),
+        [&] {
+          const std::vector<int>& counts = points_.counts();
+          bare_.components = static_cast<int>(std::count(counts.begin(), counts.end(), 0));
+        },
+        forEach(mesh_.faceCount(), budget, kFacesPerUnit, [&](int f) {
+          if (points_.counts()[mesh_.component(f)] == 0) bare_.area += mesh_.faceArea(f);
+        }));
+  }
+  double share() const override { return sequence_.progress(); }
+  BareComponents result() override { return bare_; }
+
+ private:
+  const TriangleMesh& mesh_;
+  CountedPoints points_;
+  SlicedSequence sequence_;
+  BareComponents bare_;
+};
 
 }  // namespace
+
+std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startCoverComponents(
+    const TriangleMesh& mesh, std::vector<SurfacePoint> points, int perComponent, int count,
+    std::uint64_t seed) {
+  return std::make_unique<ComponentCovering>(mesh, std::move(points), perComponent, count, seed);
+}
 
 std::vector<SurfacePoint> coverComponents(const TriangleMesh& mesh,
                                           std::vector<SurfacePoint> points, int perComponent,
                                           int count, std::uint64_t seed) {
-  requireCount(perComponent);
-  const int components = mesh.topology().components;
-  const std::int64_t needed = static_cast<std::int64_t>(perComponent) * components;
-  if (needed > count)
-    rejectArgument(std::to_string(perComponent) + " per component, of which the mesh has " +
-                   std::to_string(components) + ", makes " + std::to_string(needed) +
-                   " sites, more than the " + std::to_string(count) + " in all");
-  points = allOnMesh(mesh, points, "point ");
-  std::vector<int> counts = countPerComponent(mesh, points);
-  const std::vector<SurfacePoint> missing = drawMissing(mesh, counts, perComponent, seed);
-  std::int64_t surplus = std::accumulate(counts.begin(), counts.end(), std::int64_t{0}) +
-                         static_cast<std::int64_t>(missing.size()) - count;
-  // From the last to the first.
-  std::vector<SurfacePoint> covering(missing.rbegin(), missing.rend());
-  for (auto p = points.rbegin(); p != points.rend(); ++p) {
-    if (surplus > 0 && p->face != -1 && counts[mesh.component(p->face)] > perComponent) {
-      --counts[mesh.component(p->face)];
-      --surplus;
-    } else {
-      covering.push_back(*p);
-    }
-  }
-  std::reverse(covering.begin(), covering.end());
-  return covering;
+  return finished(startCoverComponents(mesh, std::move(points), perComponent, count, seed));
+}
+
+std::unique_ptr<SlicedWork<BareComponents>> startBareComponents(
+    const TriangleMesh& mesh, std::span<const SurfacePoint> points) {
+  return std::make_unique<BareCounting>(mesh, points);
 }
 
 BareComponents bareComponents(const TriangleMesh& mesh, std::span<const SurfacePoint> points) {
-  const std::vector<int> counts = countPerComponent(mesh, allOnMesh(mesh, points, "point "));
-  BareComponents bare;
-  bare.components = static_cast<int>(std::count(counts.begin(), counts.end(), 0));
-  for (int f = 0; f < mesh.faceCount(); ++f)
-    if (counts[mesh.component(f)] == 0) bare.area += mesh.faceArea(f);
-  return bare;
+  return finished(startBareComponents(mesh, points));
 }
 
 }  // namespace gvd
