@@ -20,6 +20,7 @@
 #include "gvd/error.h"
 #include "gvd/sampling.h"
 #include "gvd/straightest.h"
+#include "in_steps.h"
 #include "random_case.h"
 #include "shapes.h"
 #include "strip_between_holes.h"
@@ -368,6 +369,7 @@ TEST_P(Metrics, WantASite) {
 
 std::vector<double> boundsOf(const TriangleMesh& mesh, const SiteSet& sites) {
   EdgeBounds bounds(mesh, sites);
+  checks::makeRoom(bounds);
   for (int label = 0; label < sites.labelCount(); ++label)
     if (sites.contains(label)) bounds.insert(label);
   long unlimited = std::numeric_limits<long>::max();
@@ -387,6 +389,7 @@ TEST(EdgeBounds, DoNotDependOnSitesThatAreGone) {
     const TriangleMesh mesh = shape.mesh();
     SiteSet sites(mesh);
     EdgeBounds bounds(mesh, sites);
+    checks::makeRoom(sites, bounds);
     for (int change = 0; change < 60; ++change) {
       const int label = random.below(12);
       if (sites.contains(label)) {
@@ -414,8 +417,9 @@ TEST(EdgeBounds, TakeAFewTurnsPerVertexOnGradedMeshes) {
   for (double& x : shape.positions) x = x * x * x * x;
   const TriangleMesh mesh = shape.mesh();
   SiteSet sites(mesh);
-  sites.insert(0, {mesh.faceCount() / 2, {0.2, 0.3, 0.5}});
   EdgeBounds bounds(mesh, sites);
+  checks::makeRoom(sites, bounds);
+  sites.insert(0, {mesh.faceCount() / 2, {0.2, 0.3, 0.5}});
   bounds.insert(0);
   long budget = 3L * mesh.vertexCount();
   EXPECT_TRUE(bounds.step(budget));
@@ -433,10 +437,9 @@ TEST(Windows, CrossInAFewBatchesOnGradedMeshes) {
   const auto batches = [](const TriangleMesh& mesh) {
     NearestBounds bounds(mesh);
     SiteSet sites(mesh);
-    sites.insert(0, {0, {0.2, 0.3, 0.5}});
     exact::WindowSweep sweep(mesh, sites, bounds);
-    long enough = kUnlimited;
-    sweep.prepare(enough);
+    checks::makeRoom(bounds, sites, sweep);
+    sites.insert(0, {0, {0.2, 0.3, 0.5}});
     exact::LabelState state;
     sweep.start(0, state);
     const long most = std::numeric_limits<long>::max();
@@ -465,9 +468,10 @@ class ScarceBounds final : public exact::SearchBounds {
 TEST(Windows, LeaveNothingToTheNextSearchWhenMemoryRunsOut) {
   const TriangleMesh mesh = shapes::grid(12, 9, 0.4, 1).mesh();
   SiteSet sites(mesh);
+  NearestBounds bounds(mesh);
+  checks::makeRoom(sites, bounds);
   sites.insert(0, {mesh.faceCount() / 2, {0.2, 0.3, 0.5}});
   const SurfacePoint p{0, {0.2, 0.3, 0.5}}, farther{mesh.faceCount() - 1, {0.2, 0.3, 0.5}};
-  NearestBounds bounds(mesh);
   const auto search = [&](exact::WindowSweep& sweep, const SurfacePoint& from, long calls) {
     long budget = kUnlimited;
     const exact::LabelState state = sweep.search(from, ScarceBounds(calls), budget);
@@ -476,8 +480,7 @@ TEST(Windows, LeaveNothingToTheNextSearchWhenMemoryRunsOut) {
   constexpr long kEnough = 1L << 40;
   exact::WindowSweep fresh(mesh, sites, bounds), used(mesh, sites, bounds);
   for (exact::WindowSweep* sweep : {&fresh, &used}) {
-    long enough = kUnlimited;
-    sweep->prepare(enough);
+    checks::makeRoom(*sweep);
   }
   const auto expected = search(fresh, farther, kEnough);
   EXPECT_LT(expected.first, 2);

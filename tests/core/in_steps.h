@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <memory>
 
 #include "gvd/sliced_work.h"
@@ -23,6 +24,13 @@ Result inSteps(std::unique_ptr<SlicedWork<Result>> work) {
   }
   EXPECT_EQ(work->progress(), 1);
   return work->take();
+}
+
+/// Lets parts make the room that they make in slices.
+template <class... Parts>
+void makeRoom(Parts&... parts) {
+  long budget = std::numeric_limits<long>::max();
+  (parts.prepare(budget), ...);
 }
 
 }  // namespace gvd::checks

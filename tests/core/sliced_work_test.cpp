@@ -216,6 +216,7 @@ TEST(SlicedWork, VerticesThatNoLabelReachesAreGoneThroughInSlices) {
   const SiteSet sites(mesh);
   EdgeBounds edgeBounds(mesh, sites);
   NearestBounds bounds(mesh);
+  checks::makeRoom(edgeBounds, bounds);
   KnownEverywhere spread;
   LabelChange change;
   BoundsLowering lowering(mesh, spread, edgeBounds, bounds, change);

@@ -13,7 +13,6 @@ namespace gvd {
 EdgeBounds::EdgeBounds(const TriangleMesh& mesh, const SiteSet& sites)
     : mesh_(mesh),
       sites_(sites),
-      vertices_(mesh.vertexCount()),
       queue_(kBucketsPerEdge / mesh.shortEdgeLength()),
       changed_(mesh.vertexCount()) {}
 

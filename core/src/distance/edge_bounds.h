@@ -19,6 +19,10 @@ namespace gvd {
 class EdgeBounds {
  public:
   EdgeBounds(const TriangleMesh& mesh, const SiteSet& sites);
+  /// Makes room, in slices; true when it is there. Before anything else.
+  bool prepare(long& budget) {
+    return fillInSlices(vertices_, mesh_.vertexCount(), Vertex(), budget);
+  }
 
   /// Call after `sites.remove`; `site` is where the site was.
   void remove(int label, const SurfacePoint& site);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/sliced_loop.h"
 #include "distance/ties.h"
 #include "gvd/geodesic.h"
 #include "gvd/triangle_mesh.h"
@@ -16,7 +17,9 @@ namespace gvd {
 class NearestBounds {
  public:
   explicit NearestBounds(const TriangleMesh& mesh, double distance = kInfinity)
-      : ties_(mesh), nearest_(mesh.vertexCount(), {-1, distance}) {}
+      : ties_(mesh), vertexCount_(mesh.vertexCount()), first_{-1, distance} {}
+  /// Makes room, in slices; true when it is there. Before anything else.
+  bool prepare(long& budget) { return fillInSlices(nearest_, vertexCount_, first_, budget); }
 
   const LabelledDistance& operator[](int vertex) const { return nearest_[vertex]; }
   LabelledDistance& operator[](int vertex) { return nearest_[vertex]; }
@@ -32,6 +35,8 @@ class NearestBounds {
 
  private:
   TieTolerance ties_;
+  const int vertexCount_;
+  const LabelledDistance first_;
   std::vector<LabelledDistance> nearest_;
 };
 

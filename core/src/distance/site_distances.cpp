@@ -68,7 +68,10 @@ void SiteDistances::change(std::span<const SiteChange> changes) {
 bool SiteDistances::step(long& budget) {
   constexpr long kSitesPerUnit = 2;
   return sequence_.run(
-      [&] { return spread_->prepare(budget) && known_.prepare(budget); },
+      [&] {
+        return sites_.prepare(budget) && edgeBounds_.prepare(budget) && bounds_.prepare(budget) &&
+               spread_->prepare(budget) && known_.prepare(budget);
+      },
       [&] {
         return sites_.count() == 0 || reaching_.collect(*spread_, sites_.labelCount(), budget);
       },

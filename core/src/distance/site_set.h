@@ -20,7 +20,9 @@ struct FaceSite {
 /// sides; a site on a vertex to the face that it was given by.
 class SiteSet {
  public:
-  explicit SiteSet(const TriangleMesh& mesh) : mesh_(mesh), inFace_(mesh.faceCount()) {}
+  explicit SiteSet(const TriangleMesh& mesh) : mesh_(mesh) {}
+  /// Makes room, in slices; true when it is there. Before any site is inserted.
+  bool prepare(long& budget) { return inFace_.addLists(mesh_.faceCount(), budget); }
 
   /// One more than the largest label so far.
   int labelCount() const { return static_cast<int>(points_.size()); }

@@ -42,17 +42,22 @@ class PathSearch final : public SlicedWork<std::vector<SurfacePoint>> {
         end_(mesh),
         edgeBounds_(mesh, end_),
         nearest_(mesh, 0),
-        sweep_(mesh, end_, nearest_) {
-    end_.insert(kLabel, to);
-    edgeBounds_.insert(kLabel);
-  }
+        sweep_(mesh, end_, nearest_) {}
 
   bool advance(long budget) override {
     const bool isConnected = mesh_.component(from_.face) == mesh_.component(to_.face);
-    return !isConnected || sequence_.run([&] { return sweep_.prepare(budget); },
-                                         [&] { return boundByEdges(budget); },
-                                         [&] { startSearch(mostByEdges() * (1 + kSlack)); },
-                                         [&] { return sweep_.step(budget); });
+    return !isConnected || sequence_.run(
+                               [&] {
+                                 return end_.prepare(budget) && edgeBounds_.prepare(budget) &&
+                                        nearest_.prepare(budget) && sweep_.prepare(budget);
+                               },
+                               [&] {
+                                 end_.insert(kLabel, to_);
+                                 edgeBounds_.insert(kLabel);
+                               },
+                               [&] { return boundByEdges(budget); },
+                               [&] { startSearch(mostByEdges() * (1 + kSlack)); },
+                               [&] { return sweep_.step(budget); });
   }
 
   /// The wavefront's distance as a share of the straight line in space.
