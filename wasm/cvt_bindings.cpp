@@ -93,7 +93,7 @@ GVD_ABI VoronoiHandle* cvtVoronoi(const CvtHandle* handle) {
     voronoi->sites.assign(cvt.sites().begin(), cvt.sites().end());
     voronoi->metric = handle->metric;
     voronoi->sharedDistances = cvt.distances();
-    voronoi->traced = std::make_shared<const Diagram>(cvt.diagram());
+    voronoi->traced = cvt.diagram();
     return voronoi.release();
   });
 }

@@ -175,7 +175,7 @@ std::string complaintAboutTessellation(const TriangleMesh& mesh,
       return "the energy rises from " + std::to_string(energy) + " to " +
              std::to_string(cvt.iteration().energy);
     energy = cvt.iteration().energy;
-    if (const auto result = isConsistent(mesh, cvt.diagram()); !result)
+    if (const auto result = isConsistent(mesh, *cvt.diagram()); !result)
       return complaint("tessellation", result);
   }
   return {};

@@ -50,7 +50,7 @@ struct CvtIteration {
 ///
 ///     Cvt cvt(mesh, sites);
 ///     while (!cvt.isDone())
-///       if (cvt.step(100000)) show(cvt.iteration().energy, cvt.diagram());
+///       if (cvt.step(100000)) show(cvt.iteration().energy, *cvt.diagram());
 ///
 /// The energy never rises by more than rounding: a step that does not lower it is shortened, and if
 /// no length helps, the tessellation is done. The energy is integrated over the regions as traced,
@@ -91,9 +91,10 @@ class Cvt {
   /// The results of the last finished iteration; valid after `step` has first returned true.
   const CvtIteration& iteration() const;
   std::span<const SurfacePoint> sites() const;
-  /// The distances stay valid as long as the pointer is kept: further iterations make new ones.
+  /// Distances and diagram stay valid as long as the pointers are kept: further iterations make new
+  /// ones.
   std::shared_ptr<const DistanceField> distances() const;
-  const Diagram& diagram() const;
+  std::shared_ptr<const Diagram> diagram() const;
 
  private:
   class Solver;

@@ -33,7 +33,7 @@ std::vector<int> labelsAdded(std::span<const SurfacePoint> before,
 
 /// The sites of the last iteration of a tessellation and their diagram.
 RepairedSites stateOf(const Cvt& cvt, int added) {
-  return {{cvt.sites().begin(), cvt.sites().end()}, added, cvt.diagram()};
+  return {{cvt.sites().begin(), cvt.sites().end()}, added, *cvt.diagram()};
 }
 
 /// Moves some sites towards the centroids of their regions, a step of Lloyd's method at a time, as

@@ -62,7 +62,7 @@ struct State {
   std::vector<Vector2d> frames;  ///< x axis of each site's frame, in the frame of its face
   double largestMove = 0;        ///< of its sites, from their places before
   std::shared_ptr<const DistanceField> distances;
-  Diagram diagram;
+  std::shared_ptr<const Diagram> diagram;
   CvtEnergy energy;
   VectorXd gradient;  ///< of the energy, in the frames; zero for fixed sites
 };
@@ -86,9 +86,9 @@ class Evaluation {
         },
         [&] { return tracing_->step(budget); },
         [&] {
-          state_.diagram = tracing_->take();
+          state_.diagram = std::make_shared<const Diagram>(tracing_->take());
           tracing_.reset();
-          integration_ = startCvtEnergy(mesh_, *state_.distances, state_.diagram, options_.density);
+          integration_ = startCvtEnergy(mesh_, *state_.distances, *state_.diagram, options_.density);
         },
         [&] { return integration_->step(budget); }, [&] { state_.energy = integration_->take(); });
   }
@@ -148,7 +148,7 @@ class Cvt::Solver {
   const CvtIteration& iteration() const { return iteration_; }
   std::span<const SurfacePoint> sites() const { return accepted_.sites; }
   std::shared_ptr<const DistanceField> distances() const { return accepted_.distances; }
-  const Diagram& diagram() const { return accepted_.diagram; }
+  std::shared_ptr<const Diagram> diagram() const { return accepted_.diagram; }
 
  private:
   /// A direction in which the energy falls, and the step along it that is tried.
@@ -229,7 +229,7 @@ class Cvt::Solver {
     for (int l = 0; l < siteCount(); ++l) {
       const double lloyd =
           accepted_.gradient.segment<2>(2 * l).cwiseProduct(inverse.segment<2>(2 * l)).norm();
-      const double radius = std::sqrt(accepted_.diagram.regionArea[l] / std::numbers::pi);
+      const double radius = std::sqrt(accepted_.diagram->regionArea[l] / std::numbers::pi);
       const double most = std::max(2 * lloyd, radius), length = direction.segment<2>(2 * l).norm();
       if (length > most) direction.segment<2>(2 * l) *= most / length;
     }
@@ -339,6 +339,6 @@ bool Cvt::isDone() const { return solver_->isDone(); }
 const CvtIteration& Cvt::iteration() const { return solver_->iteration(); }
 std::span<const SurfacePoint> Cvt::sites() const { return solver_->sites(); }
 std::shared_ptr<const DistanceField> Cvt::distances() const { return solver_->distances(); }
-const Diagram& Cvt::diagram() const { return solver_->diagram(); }
+std::shared_ptr<const Diagram> Cvt::diagram() const { return solver_->diagram(); }
 
 }  // namespace gvd
