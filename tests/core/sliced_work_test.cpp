@@ -440,6 +440,8 @@ TEST(SlicedWork, SamplesNothingIfNothingIsAskedFor) {
   const TriangleMesh mesh = shapes::cube().mesh();
   EXPECT_TRUE(inSteps(startFarthest(mesh, 0, 1)).empty());
   EXPECT_TRUE(inSteps(startPoissonDiskCount(mesh, 0, 1)).points.empty());
+  // Its progress was no number.
+  EXPECT_TRUE(inSteps(startWorstFirst(mesh, 0, 1, WorstRegion::kSize)).empty());
 }
 
 /// It ended at 0.8 or below where the last part of the work was not counted, or ended early. The

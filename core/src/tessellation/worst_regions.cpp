@@ -269,7 +269,9 @@ class WorstFirstSampling final : public SlicedWork<std::vector<SurfacePoint>> {
                          [&] { points_ = sampling_->take(); },
                          [&] { return isComplete() || addOthers(budget); });
   }
-  double share() const override { return static_cast<double>(points_.size()) / count_; }
+  double share() const override {
+    return count_ > 0 ? static_cast<double>(points_.size()) / count_ : 0;
+  }
   std::vector<SurfacePoint> result() override { return std::move(points_); }
 
  private:
