@@ -88,7 +88,8 @@ class Evaluation {
         [&] {
           state_.diagram = std::make_shared<const Diagram>(tracing_->take());
           tracing_.reset();
-          integration_ = startCvtEnergy(mesh_, *state_.distances, *state_.diagram, options_.density);
+          integration_ =
+              startCvtEnergy(mesh_, *state_.distances, *state_.diagram, options_.density);
         },
         [&] { return integration_->step(budget); }, [&] { state_.energy = integration_->take(); });
   }
@@ -128,7 +129,7 @@ class Cvt::Solver {
   }
 
   bool step(long budget) {
-    if (isDone_ || !evaluation_->step(budget)) return false;
+    if (isDone_ || !moveSites(budget) || !evaluation_->step(budget)) return false;
     takeGradient();
     if (!accepted_.distances) {
       accept();
@@ -241,15 +242,24 @@ class Cvt::Solver {
     trial_.sites = accepted_.sites;
     trial_.frames = accepted_.frames;
     trial_.largestMove = 0;
-    for (int l = 0; l < siteCount(); ++l)
-      if (hasNewPlaces() && newPlaces_[l].face >= 0)
-        trial_.sites[l] = newPlaces_[l];
-      else if (!isFixed_[l])
-        move(l, step * search_.direction.segment<2>(2 * l));
-    evaluation_.emplace(mesh_, options_, trial_);
+    evaluation_.reset();
   }
 
-  void move(int label, const Vector2d& step) {
+  /// Moves the sites of the trial, in slices; true when its evaluation has begun.
+  bool moveSites(long& budget) {
+    if (evaluation_) return true;
+    if (!moving_.run(siteCount(), budget, 1, [&](int l) { move(l); })) return false;
+    evaluation_.emplace(mesh_, options_, trial_);
+    return true;
+  }
+
+  void move(int label) {
+    if (hasNewPlaces() && newPlaces_[label].face >= 0) {
+      trial_.sites[label] = newPlaces_[label];
+      return;
+    }
+    if (isFixed_[label]) return;
+    const Vector2d step = search_.step * search_.direction.segment<2>(2 * label);
     const StraightestGeodesic way = walkStraight(
         mesh_, accepted_.sites[label], turnedBy(step, accepted_.frames[label]), AtBoundary::kSlide);
     trial_.sites[label] = offVertex(way.end);
@@ -319,7 +329,8 @@ class Cvt::Solver {
   const CvtOptions options_;
   std::vector<char> isFixed_;  ///< by the options, for want of a site, or held
   State accepted_, trial_;
-  std::optional<Evaluation> evaluation_;  ///< of the trial
+  SlicedLoop moving_;
+  std::optional<Evaluation> evaluation_;  ///< of the trial, once its sites are there
   LineSearch search_;
   LbfgsMemory memory_;
   std::vector<SurfacePoint> newPlaces_;  ///< by label, face -1: none; empty if there are none
