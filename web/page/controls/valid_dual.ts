@@ -4,7 +4,7 @@
 
 import type { Violation } from 'geodesic-voronoi';
 import type { GeodesicVoronoiElement } from '../../viewer/element.js';
-import { showFailure } from '../base/messages.js';
+import { showFailure, showNote } from '../base/messages.js';
 import { counted } from '../base/numbers.js';
 import { isSame } from '../base/same_sites.js';
 
@@ -18,15 +18,31 @@ export function violationSentence(
   return first && `${what} no valid mesh of the surface: ${first.message}${more}.`;
 }
 
-/** Adds sites until the dual is valid, a step to undo. Sites that are edited meanwhile are kept. */
+/**
+ * Adds sites until the dual is valid, a step to undo. Sites that are edited meanwhile are kept. A
+ * note tells how far it is, and cancels it.
+ */
 export async function repairDual(viewer: GeodesicVoronoiElement): Promise<void> {
   const { diagram, sites } = viewer;
   if (!diagram) return;
+  const stopping = new AbortController();
+  const { signal } = stopping;
+  const cancel = { title: 'Cancel', act: () => stopping.abort() };
+  let shown = '';
+  let endNote = () => {};
+  const onProgress = (share: number) => {
+    const now = `Adding sites to make the dual valid: ${10 * Math.floor(10 * share)} %.`;
+    if (now === shown) return;
+    shown = now;
+    endNote();
+    endNote = showNote(now, cancel);
+  };
   try {
-    const valid = await diagram.repair();
+    const valid = await diagram.repair({ signal, onProgress });
     if (diagram === viewer.diagram && isSame(sites, viewer.sites)) viewer.sites = valid.sites;
     if (valid !== diagram) valid.dispose();
   } catch (error) {
-    showFailure('Sites cannot be added', error);
+    if (!signal.aborted) showFailure('Sites cannot be added', error);
   }
+  endNote();
 }
