@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Results derived from a diagram, for JavaScript: the partition of the mesh; the dual, its
-// violations and its quality.
+// What is read off the partition of a mesh, for JavaScript: the partition itself; the dual, its
+// violations, its quality and its repair.
 
 #include <algorithm>
 #include <memory>
