@@ -15,7 +15,7 @@
 #include "diagram/region_lookup.h"
 #include "distance/site_distances.h"
 #include "gvd/diagram.h"
-#include "mesh/point_drawing.h"
+#include "mesh/random_points.h"
 #include "mesh/surface_geometry.h"
 
 namespace gvd {

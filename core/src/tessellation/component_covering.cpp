@@ -15,7 +15,7 @@
 #include "base/sliced_loop.h"
 #include "gvd/sampling.h"
 #include "mesh/given_points.h"
-#include "mesh/point_drawing.h"
+#include "mesh/random_points.h"
 
 namespace gvd {
 namespace {

@@ -18,7 +18,7 @@
 #include "base/sliced_loop.h"
 #include "gvd/straightest.h"
 #include "mesh/given_points.h"
-#include "mesh/point_drawing.h"
+#include "mesh/random_points.h"
 #include "tessellation/cvt_energy.h"
 #include "tessellation/density.h"
 #include "tessellation/lbfgs.h"

@@ -22,7 +22,7 @@
 #include "distance/dgpc/unfolding_sweep.h"
 #include "gvd/geodesic.h"
 #include "gvd/sampling.h"
-#include "mesh/point_drawing.h"
+#include "mesh/random_points.h"
 #include "mesh/representations.h"
 #include "mesh/surface_geometry.h"
 #include "tessellation/disk_grid.h"

@@ -13,7 +13,7 @@
 #include "base/rejection.h"
 #include "base/sliced_loop.h"
 #include "gvd/sampling.h"
-#include "mesh/point_drawing.h"
+#include "mesh/random_points.h"
 #include "tessellation/density.h"
 
 namespace gvd {
