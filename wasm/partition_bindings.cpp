@@ -4,6 +4,7 @@
 // violations, its quality and its repair.
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -116,6 +117,49 @@ class PolygonRecording final : public SlicedWork<Record> {
   std::optional<PointsRecording> points_;
 };
 
+/// `DualPaths`.
+class DualPathRecording final : public SlicedWork<Record> {
+ public:
+  DualPathRecording(DiagramOnMesh on, const DistanceField& field)
+      : on_(std::move(on)), finding_(startDualPaths(*on_.mesh, *on_.diagram, field)) {}
+
+  bool advance(long budget) override {
+    if (points_) return points_->step(budget);
+    if (!finding_->step(budget)) return false;
+    join(finding_->take());
+    points_.emplace(*on_.mesh, joined_, true);
+    return false;
+  }
+  double share() const override {
+    constexpr double kFindingShare = 0.9;
+    return kFindingShare * finding_->progress() +
+           (points_ ? (1 - kFindingShare) * points_->progress() : 0);
+  }
+  Record result() override {
+    Record out;
+    out.add("labels", std::move(labels_));
+    out.add("offset", std::move(offset_));
+    out.add("points", points_->take());
+    return out;
+  }
+
+ private:
+  void join(const std::vector<DualPath>& paths) {
+    for (const DualPath& path : paths) {
+      labels_.push_back(path.labels);
+      joined_.insert(joined_.end(), path.points.begin(), path.points.end());
+      offset_.push_back(static_cast<int>(joined_.size()));
+    }
+  }
+
+  const DiagramOnMesh on_;
+  const std::unique_ptr<SlicedWork<std::vector<DualPath>>> finding_;
+  std::vector<std::array<int, 2>> labels_;
+  std::vector<int> offset_ = {0};
+  std::vector<SurfacePoint> joined_;  ///< of all paths
+  std::optional<PointsRecording> points_;
+};
+
 }  // namespace
 
 /// `Partition`.
@@ -140,21 +184,7 @@ GVD_ABI Answer* dual(VoronoiHandle* voronoi, bool primal) {
 /// `DualPaths`.
 GVD_ABI Answer* dualPaths(VoronoiHandle* voronoi) {
   return answerOn(voronoi, [=](const DiagramOnMesh& on) {
-    return recording(startDualPaths(*on.mesh, *on.diagram, voronoi->field()),
-                     [on](const std::vector<DualPath>& paths) {
-                       std::vector<int> labels, offset = {0};
-                       std::vector<SurfacePoint> points;
-                       for (const DualPath& path : paths) {
-                         labels.insert(labels.end(), path.labels.begin(), path.labels.end());
-                         points.insert(points.end(), path.points.begin(), path.points.end());
-                         offset.push_back(static_cast<int>(points.size()));
-                       }
-                       Record out;
-                       out.add("labels", std::move(labels));
-                       out.add("offset", std::move(offset));
-                       out.add("points", placedRecord(*on.mesh, points));
-                       return out;
-                     });
+    return std::make_unique<DualPathRecording>(on, voronoi->field());
   });
 }
 
