@@ -3,7 +3,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>
@@ -12,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include "base/hashing.h"
+#include "base/index_pairs.h"
 #include "base/number_text.h"
 #include "base/rejection.h"
 #include "base/sliced_loop.h"
@@ -54,11 +53,14 @@ class Subdivision final : public SlicedWork<SubdividedTriangles> {
                       box_.extend(p);
                 }),
         [&] { findLongest(); }, [&] { return splitAll(budget); }, [&] { reserve(); },
-        [&] { return fillInSlices(firstMidpoint_, std::bit_ceil(addedParts() + 1), -1, budget); },
+        [&] { return midpoints_.prepare(addedParts(), budget); }, [&] { hasRoom_ = true; },
         [&] { return splitAll(budget); });
   }
   double share() const override { return sequence_.progress(); }
-  SubdividedTriangles result() override { return std::move(out_); }
+  SubdividedTriangles result() override {
+    out_.ends = midpoints_.take();
+    return std::move(out_);
+  }
 
  private:
   struct Corner {
@@ -96,7 +98,7 @@ class Subdivision final : public SlicedWork<SubdividedTriangles> {
         const Part part = open_.back();
         open_.pop_back();
         if (split(part)) continue;
-        if (hasRoom())
+        if (hasRoom_)
           add(part);
         else
           count();
@@ -150,30 +152,22 @@ class Subdivision final : public SlicedWork<SubdividedTriangles> {
     const std::size_t parts = partCount_, added = addedParts();
     out_.triangles.reserve(3 * parts);
     out_.parents.reserve(parts);
-    out_.ends.reserve(added);
     out_.positions.reserve(out_.positions.size() + 3 * added);
-    nextMidpoint_.reserve(added);
   }
   std::size_t addedParts() const { return partCount_ - triangles_.size() / 3; }
-  bool hasRoom() const { return !firstMidpoint_.empty(); }
 
   /// The middle of a side: the same bits from both ends, and so in all triangles of the side.
   Corner halve(const Corner& a, const Corner& b) {
     const Vector3d p = middle(a, b);
-    return {p, hasRoom() ? midpointOf(a.vertex, b.vertex, p) : -1};
+    return {p, hasRoom_ ? midpointOf(a.vertex, b.vertex, p) : -1};
   }
 
   /// The vertex at a midpoint, added if it is not there yet.
   int midpointOf(int a, int b, const Vector3d& p) {
-    const std::array<int, 2> ends = {std::min(a, b), std::max(a, b)};
-    int& first = firstMidpoint_[hashOf(ends[1], hashOf(ends[0], 0)) & (firstMidpoint_.size() - 1)];
-    const int given = vertexCount() - static_cast<int>(out_.ends.size());
-    for (int m = first; m >= 0; m = nextMidpoint_[m])
-      if (out_.ends[m] == ends) return given + m;
-    nextMidpoint_.push_back(std::exchange(first, static_cast<int>(out_.ends.size())));
-    out_.ends.push_back(ends);
-    out_.positions.insert(out_.positions.end(), p.begin(), p.end());
-    return vertexCount() - 1;
+    const int count = midpoints_.count(), given = vertexCount() - count;
+    const int midpoint = midpoints_.add(a, b);
+    if (midpoint == count) out_.positions.insert(out_.positions.end(), p.begin(), p.end());
+    return given + midpoint;
   }
 
   void add(const Part& part) {
@@ -190,9 +184,8 @@ class Subdivision final : public SlicedWork<SubdividedTriangles> {
   int next_ = 0;            ///< triangle
   std::vector<Part> open_;  ///< parts of the last triangle, not looked at yet, the next one last
   int partCount_ = 0;
-  /// Midpoints by a hash of their ends: the first of each hash, and after each, the next of its
-  /// hash.
-  std::vector<int> firstMidpoint_, nextMidpoint_;
+  bool hasRoom_ = false;
+  IndexPairs midpoints_;  ///< by the ends of their sides
   SubdividedTriangles out_;
 };
 
