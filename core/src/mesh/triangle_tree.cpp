@@ -2,6 +2,8 @@
 #include "mesh/triangle_tree.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <utility>
 
@@ -28,8 +30,9 @@ bool TriangleTree::step(long& budget) {
                            tasks_.push_back({0, static_cast<int>(order_.size()), -1});
                        },
                        [&] {
-                         while (!tasks_.empty() && budget > 0) makeNext(budget);
-                         return tasks_.empty();
+                         while (!tasks_.empty())
+                           if (!makeNext(budget)) return false;
+                         return true;
                        });
 }
 
@@ -41,29 +44,58 @@ bool TriangleTree::takeFaces(SlicedLoop& loop, long& budget) {
   });
 }
 
-/// Halves the triangles of a node along the longest side of the box of their centres.
-void TriangleTree::makeNext(long& budget) {
-  constexpr int kTrianglesPerUnit = 16;
+/// Makes a node, and divides its triangles along the longest side of the box of their centres, in
+/// slices; true when it is done.
+bool TriangleTree::makeNext(long& budget) {
+  constexpr long kTrianglesPerUnit = 16;
   const auto [first, last, parent] = tasks_.back();
+  const int count = last - first, begin = first;
+  if (budget <= 0 ||
+      !making_.run(
+          [&] {
+            box_.setEmpty();
+            centres_.setEmpty();
+          },
+          forEach(count, budget, kTrianglesPerUnit,
+                  [&](int i) {
+                    const SpaceTriangle& triangle = triangles_[order_[begin + i]];
+                    for (const Eigen::Vector3d& corner : triangle) box_.extend(corner);
+                    centres_.extend(sumOf(triangle));
+                  }),
+          [&] {
+            middle_ = begin;
+            findPivot(begin, count);
+          },
+          forEach(count <= kLeafSize ? 0 : count, budget, kTrianglesPerUnit, [&](int i) {
+            if (sumOf(triangles_[order_[begin + i]])[axis_] < pivot_)
+              std::swap(order_[begin + i], order_[middle_++]);
+          })))
+    return false;
+  making_ = {};
   tasks_.pop_back();
-  budget -= 1 + (last - first) / kTrianglesPerUnit;
   const int node = static_cast<int>(nodes_.size());
   if (parent >= 0) nodes_[parent].second = node;
-  Eigen::AlignedBox3d box, centres;
-  for (int i = first; i < last; ++i) {
-    for (const Eigen::Vector3d& corner : triangles_[order_[i]]) box.extend(corner);
-    centres.extend(sumOf(triangles_[order_[i]]));
+  nodes_.push_back({box_, first, last, -1});
+  if (count <= kLeafSize) return true;
+  if (middle_ == first) middle_ += count / 2;  // none is less than the pivot
+  tasks_.push_back({middle_, last, node});
+  tasks_.push_back({first, middle_, -1});
+  return true;
+}
+
+/// Finds the median of some centres, along the longest side of their box: the median of all would
+/// take a large mesh too long in one step.
+void TriangleTree::findPivot(int first, int count) {
+  constexpr int kSamples = 63;
+  centres_.sizes().maxCoeff(&axis_);
+  std::vector<double> sample;
+  for (int i = 0; i < std::min(count, kSamples); ++i) {
+    const auto place = static_cast<std::int64_t>(i) * count / std::min(count, kSamples);
+    sample.push_back(sumOf(triangles_[order_[first + place]])[axis_]);
   }
-  nodes_.push_back({box, first, last, -1});
-  if (last - first <= kLeafSize) return;
-  Eigen::Index axis;
-  centres.sizes().maxCoeff(&axis);
-  const int middle = (first + last) / 2;
-  std::nth_element(
-      order_.begin() + first, order_.begin() + middle, order_.begin() + last,
-      [&](int a, int b) { return sumOf(triangles_[a])[axis] < sumOf(triangles_[b])[axis]; });
-  tasks_.push_back({middle, last, node});
-  tasks_.push_back({first, middle, -1});
+  const auto middle = sample.begin() + static_cast<std::ptrdiff_t>(sample.size() / 2);
+  std::nth_element(sample.begin(), middle, sample.end());
+  pivot_ = *middle;
 }
 
 TriangleTree::Nearest TriangleTree::nearest(const Eigen::Vector3d& p) const {

@@ -16,7 +16,7 @@ class TriangleTree {
   explicit TriangleTree(std::vector<SpaceTriangle> triangles);
   /// The faces of a mesh, which must outlive this.
   explicit TriangleTree(const TriangleMesh& mesh);
-  /// Builds the tree, in slices of one node or more; true when the tree can be used. O(n log n).
+  /// Builds the tree, in slices; true when the tree can be used. O(n log n).
   bool step(long& budget);
   /// The share of the building that is done, 0 … 1.
   double progress() const { return sequence_.progress(); }
@@ -48,7 +48,8 @@ class TriangleTree {
   };
 
   bool takeFaces(SlicedLoop& loop, long& budget);
-  void makeNext(long& budget);
+  bool makeNext(long& budget);
+  void findPivot(int first, int count);
 
   const TriangleMesh* mesh_ = nullptr;  ///< null for a list of triangles
   SlicedSequence sequence_;
@@ -56,6 +57,13 @@ class TriangleTree {
   std::vector<int> order_;  ///< triangles; those of a node are consecutive
   std::vector<Node> nodes_;
   std::vector<Task> tasks_;  ///< the last one is next
+
+  // Of the next node.
+  SlicedSequence making_;
+  Eigen::AlignedBox3d box_, centres_;  ///< of its triangles, of their centres
+  Eigen::Index axis_ = 0;              ///< along which it is divided
+  double pivot_ = 0;                   ///< what is less goes to the first child
+  int middle_ = 0;                     ///< where triangles of the second child begin
 };
 
 }  // namespace gvd
