@@ -40,11 +40,13 @@ struct VoronoiHandle {
   std::vector<SurfacePoint> sites;
   Metric metric;
   DiagramOptions options;
+  // One of three has the distances: what the diagram was made from, the tessellation that it is an
+  // iteration of, or, once a site has changed, the `DynamicDiagram`.
   std::shared_ptr<DistanceField> distances;
-  std::shared_ptr<const DistanceField> sharedDistances;  // or these, of a tessellation
-  std::unique_ptr<DynamicDiagram> dynamic;               // or its own, once sites have changed
-  std::shared_ptr<const Diagram> traced;       // none after a change, until it is asked for
-  std::unique_ptr<WorstRegions> worstRegions;  // once they have been asked for
+  std::shared_ptr<const DistanceField> sharedDistances;
+  std::unique_ptr<DynamicDiagram> dynamic;
+  std::shared_ptr<const Diagram> traced;       ///< none after a change, until it is asked for
+  std::unique_ptr<WorstRegions> worstRegions;  ///< once they have been asked for
 
   const TriangleMesh& mesh() const { return *surface.mesh; }
   const DistanceField& field() const {
