@@ -226,6 +226,26 @@ TEST(SlicedWork, VerticesThatNoLabelReachesAreGoneThroughInSlices) {
   EXPECT_GT(steps, mesh.vertexCount() / 8);
 }
 
+/// The number of steps of one unit.
+template <class Result>
+int unitSteps(std::unique_ptr<SlicedWork<Result>> work) {
+  int steps = 1;
+  while (!work->step(1)) ++steps;
+  return steps;
+}
+
+/// Each was one step, however large the mesh.
+TEST(SlicedWork, PolygonsAndComponentsAreGoneThroughInSlices) {
+  const TriangleMesh mesh = shapes::icosphere(4).mesh();
+  const auto sites = sampleUniform(mesh, 500, 1);
+  const auto field = finished(propagate(mesh, sites, Metric::kExact));
+  const PolygonMesh dual = dualMesh(mesh, sites, traceDiagram(mesh, *field, 500));
+  EXPECT_GT(unitSteps(startTriangulation(dual)), 500);
+  EXPECT_GT(unitSteps(startTopology(dual)), 500);
+  EXPECT_GT(unitSteps(startBareComponents(mesh, sites)), 300);
+  EXPECT_GT(unitSteps(startCoverComponents(mesh, sites, 1, 500, 1)), 300);
+}
+
 /// On a large mesh with a single site, its label has reached all vertices.
 TEST(SlicedWork, WhatALabelHasReachedIsGoneThroughInSlices) {
   constexpr int kVertices = 5000;
