@@ -55,15 +55,19 @@ std::string TriangleMesh::faultOfPoint(const SurfacePoint& p) const {
 
 /// A halfedge that leaves each corner of an input triangle, all on one face; -1 if there is none.
 std::array<int, 3> TriangleMesh::halfedgesOfInput(int triangle) const {
-  const auto face = std::lower_bound(inputFace_.begin(), inputFace_.end(), triangle);
+  // At most all that were dropped came before it, so few places are left if few were.
+  const auto begin = inputFace_.begin();
+  const int first = std::max(0, triangle - static_cast<int>(droppedFace_.size()));
+  const auto face =
+      std::lower_bound(begin + first, begin + std::min(triangle, faceCount()), triangle);
   const int f = static_cast<int>(face - inputFace_.begin());
   if (face != inputFace_.end() && *face == triangle)
     return isFlipped(f) ? std::array{3 * f, 3 * f + 2, 3 * f + 1}
                         : std::array{3 * f, 3 * f + 1, 3 * f + 2};
   const int dropped = triangle - f;  // f triangles before it became faces
   if (droppedFace_[dropped] < 0) return {-1, -1, -1};
-  const int first = 3 * droppedFace_[dropped], corners = droppedCorners_[dropped];
-  return {first + (corners & 3), first + (corners >> 2 & 3), first + (corners >> 4)};
+  const int corner = 3 * droppedFace_[dropped], corners = droppedCorners_[dropped];
+  return {corner + (corners & 3), corner + (corners >> 2 & 3), corner + (corners >> 4)};
 }
 
 SurfacePoint TriangleMesh::fromInput(const SurfacePoint& p) const {
