@@ -54,6 +54,8 @@ const tasks = {
       Float64Array.from({ length: 300 }, (_, i) => Math.sin(i)),
       options,
     ),
+  'the places of points': (options) =>
+    mesh.positionsOf({ face: Array(4000).fill(5), bary: Array(12000).fill(1 / 3) }, options),
   'a density by curvature': (options) => mesh.curvatureDensity(options),
   'points located': (options) =>
     diagram.locate({ vertex: Array.from({ length: 500 }, (_, v) => v) }, options),

@@ -43,7 +43,7 @@ import type {
   VertexDistances,
 } from '../api/results.js';
 import { pointsFile, requireSameMesh } from '../input/points_file.js';
-import { partOf } from '../base/slices.js';
+import { inSlices, partOf, type SlicedWork } from '../base/slices.js';
 import { extended } from '../engine/subdivision.js';
 import type { Cut, Triangles } from '../base/triangles.js';
 import type {
@@ -65,6 +65,8 @@ import type {
 
 /** The approximate share of sampling where components without a site get one afterwards. */
 const samplingShare = 0.8;
+/** Points that are checked or placed between two looks at the clock. */
+const pointsPerStep = 2 ** 10;
 
 export class EngineMesh implements Mesh {
   readonly info: MeshInfo;
@@ -155,19 +157,18 @@ export class EngineMesh implements Mesh {
   }
 
   async readPoints(json: unknown, options?: TaskOptions): Promise<SurfacePoints> {
-    const task = toTask(options);
-    task.signal?.throwIfAborted();
+    const { signal } = toTask(options);
+    signal?.throwIfAborted();
     const file = pointsFile(json);
     const given = toPoints('points', file.points);
     const cut = this.#cut;
     if (cut && 3 * (file.faces ?? 0) === cut.whole.length && 'face' in given) {
-      requireOnSurface(given, cut.whole.length / 3);
+      await inSlices(onSurface(given, cut.whole.length / 3), { signal });
       return (await imported(import('./points_on_parts.js'))).pointsOnParts(given, cut);
     }
     requireSameMesh(file, this.info);
-    const points = await this.#object.onSurface(given, task);
-    requireOnSurface(points, this.info.inputFaces);
-    return points;
+    const points = await this.#object.onSurface(given, { signal });
+    return inSlices(onSurface(points, this.info.inputFaces), { signal });
   }
 
   async positionsOf(
@@ -177,17 +178,23 @@ export class EngineMesh implements Mesh {
     const task = toTask(options);
     task.signal?.throwIfAborted();
     const found = await this.#object.onSurface(toPoints('points', points), task);
-    requireOnSurface(found, this.info.inputFaces);
-    const { face, bary } = found;
+    await inSlices(onSurface(found, this.info.inputFaces), { signal: task.signal });
+    const places = await inSlices(this.#placesOf(found), task);
+    task.onProgress?.(1);
+    return places;
+  }
+
+  *#placesOf({ face, bary }: SurfacePoints): SlicedWork<Float64Array<ArrayBuffer>> {
     const places = new Float64Array(3 * face.length).fill(NaN);
-    face.forEach((f, i) => {
-      if (f === -1) return;
+    for (let i = 0; i < face.length; ++i) {
+      if (i > 0 && i % pointsPerStep === 0) yield i / face.length;
+      if (face[i] === -1) continue;
       for (let k = 0; k < 3; ++k) {
         const at = (corner: number) =>
-          bary[3 * i + corner] * this.positions[3 * this.indices[3 * f + corner] + k];
+          bary[3 * i + corner] * this.positions[3 * this.indices[3 * face[i] + corner] + k];
         places[3 * i + k] = at(0) + at(1) + at(2);
       }
-    });
+    }
     return places;
   }
 
@@ -336,16 +343,19 @@ function stateOf(engine: Engine, { handle, ...state }: AdvancedCvt, metric: Metr
 }
 
 /**
- * Refuses points on triangles that there are not, or outside their triangle, as the core does; -1 is a
- * label without a site.
+ * The points, refused as by the core if one is on a triangle that there is not, or outside its
+ * triangle; -1 is a label without a site.
  */
-function requireOnSurface({ face, bary }: SurfacePoints, count: number): void {
-  face.forEach((f, i) => {
-    if (f === -1) return;
+function* onSurface(points: SurfacePoints, count: number): SlicedWork<SurfacePoints> {
+  const { face, bary } = points;
+  for (const [i, f] of face.entries()) {
+    if (i > 0 && i % pointsPerStep === 0) yield i / face.length;
+    if (f === -1) continue;
     const isThere = f >= 0 && f < count;
     const fault = isThere ? faultOf(bary.subarray(3 * i, 3 * i + 3)) : `there is no triangle ${f}`;
     if (fault) throw new GeodesicVoronoiError('invalid-point', `point ${i}: ${fault}`);
-  });
+  }
+  return points;
 }
 
 /** The fault of barycentric coordinates, beyond the core's tolerance; nothing if there is none. */
