@@ -4,7 +4,7 @@
 // file's promise. It grows chunk by chunk, because copying it would block the thread and take twice
 // its memory.
 
-import type { SlicedWork } from './slices.js';
+import { copyTo, type SlicedWork } from './slices.js';
 
 type Numbers = Float64Array | Int32Array;
 
@@ -57,12 +57,8 @@ export class GrowingArray<Array extends Numbers> {
     const all = new this.#type(length);
     for (let at = 0; at < length; ) {
       const chunk = chunks.shift()!; // none is kept once it is copied
-      for (let from = 0; from < chunk.length && at < length; yield 1) {
-        const part = chunk.subarray(from, Math.min(from + chunkLength, from + length - at));
-        all.set(part, at);
-        from += part.length;
-        at += part.length;
-      }
+      yield* copyTo<Numbers>(all, at, chunk.subarray(0, length - at));
+      at += chunk.length;
     }
     return all;
   }

@@ -3,6 +3,7 @@
 // The lists and buffers of a glTF that is being decompressed: finds, checks and adds bytes.
 
 import { isObject } from '../base/checks.js';
+import { copyTo, type SlicedWork } from '../base/slices.js';
 import {
   gltfFault,
   type GltfDocument,
@@ -75,11 +76,11 @@ export class GltfData {
   }
 
   /** The new buffer. */
-  added(): Uint8Array {
+  *added(): SlicedWork<Uint8Array> {
     const all = new Uint8Array(this.#addedBytes);
     let at = 0;
     for (const content of this.#added) {
-      all.set(content, at);
+      yield* copyTo(all, at, content);
       at += Math.ceil(content.length / alignment) * alignment;
     }
     return all;

@@ -46,7 +46,7 @@ export async function decompressed(
     );
   }
 
-  const added = data.added();
+  const added = await inSlices(data.added(), { signal: task.signal });
   const all: Resources = { ...resources, [decompressedName]: added };
   const buffers = data.list('buffers');
   if (binary && buffers.length > 0 && buffers[0].uri === undefined) {

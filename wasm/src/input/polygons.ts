@@ -5,14 +5,12 @@
 
 import earcut, { refine } from 'earcut';
 import { counted } from '../base/sentences.js';
-import type { SlicedWork } from '../base/slices.js';
+import { copyTo, type SlicedWork } from '../base/slices.js';
 import { GrowingArray } from '../base/growing_array.js';
 import { requireCorners, requireTriangles, type SizeLimits } from './limits.js';
 
 /** How far corners are moved, as a share of the polygon: more than rounding, less than any detail. */
 const jitter = 2 ** -36;
-/** Triangles copied between two places where the work can be interrupted. */
-const trianglesPerStep = 2 ** 16;
 
 export class Polygons {
   readonly #limits: SizeLimits;
@@ -74,12 +72,9 @@ export class Polygons {
     for (let i = 0; i <= larger.length; i += 2) {
       const isLast = i === larger.length;
       const start = isLast ? corners.length : larger[i];
-      for (; taken < start; yield 1) {
-        const triangles = corners.subarray(taken, Math.min(start, taken + trianglesPerStep * 3));
-        indices.set(triangles, at);
-        at += triangles.length;
-        taken += triangles.length;
-      }
+      yield* copyTo(indices, at, corners.subarray(taken, start)); // triangles
+      at += start - taken;
+      taken = start;
       if (isLast) break;
       const polygon = corners.subarray(start, start + larger[i + 1]);
       indices.set(cutPolygon(polygon, positions), at);

@@ -6,7 +6,7 @@
 
 import { Inflate } from 'fflate';
 import { invalidFile } from '../api/errors.js';
-import { inSlices, type SlicedWork } from '../base/slices.js';
+import { copyTo, inSlices, type SlicedWork } from '../base/slices.js';
 import type { ModelFiles, TaskOptions } from '../api/options.js';
 
 /**
@@ -96,9 +96,15 @@ async function unpacked(archive: Uint8Array, entry: Entry, task: TaskOptions): P
   const start = offset + 30 + view.getUint16(offset + 26, true) + view.getUint16(offset + 28, true);
   const packed = archive.subarray(start, start + packedSize);
   if (packed.length < packedSize || (method === 0 && packedSize !== size)) throw damaged();
-  if (method === 0) return new Uint8Array(packed); // the slice of a Buffer is no copy
-  const content = await inSlices(inflated(packed, size), { signal: task.signal });
+  const work = method === 0 ? copied(packed) : inflated(packed, size);
+  const content = await inSlices(work, { signal: task.signal });
   if (!content) throw damaged();
+  return content;
+}
+
+function* copied(stored: Uint8Array): SlicedWork<Uint8Array> {
+  const content = new Uint8Array(stored.length);
+  yield* copyTo(content, 0, stored);
   return content;
 }
 
