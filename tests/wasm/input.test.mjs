@@ -115,6 +115,20 @@ test('reading is sliced in every format: it tells how far it is, and can be give
   }
 });
 
+test('unpacking a zip is sliced, and can be given up', async ({ mock }) => {
+  for (const level of [0, 6]) {
+    const zip = zipSync({ 'a.ply': [meshPly(bumpySphere(40, 60), 'ascii'), { level }] });
+    const control = new AbortController();
+    let clock = 0;
+    const { mock: now } = mock.method(performance, 'now', () => {
+      control.abort(new Error('enough'));
+      return (clock += 1000); // every step is a slice
+    });
+    await assert.rejects(findModel(zip, { signal: control.signal }), { message: 'enough' });
+    now.restore();
+  }
+});
+
 test('decompression can be given up', async ({ mock }) => {
   const many = (json) => {
     const [mesh] = json.meshes;

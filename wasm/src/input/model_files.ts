@@ -4,7 +4,7 @@
 
 import { isA } from '../base/checks.js';
 import { GeodesicVoronoiError, invalidFile } from '../api/errors.js';
-import type { ModelFile, ModelFiles } from '../api/options.js';
+import type { ModelFile, ModelFiles, TaskOptions } from '../api/options.js';
 
 const modelName = /\.(glb|gltf|obj|off|ply|stl)$/i;
 const archiveName = /\.zip$/i;
@@ -55,7 +55,7 @@ export class FileSet {
     return invalidFile(`there is no ${wanted} in ${there || 'the file'}`);
   }
 
-  async read(path: string): Promise<Uint8Array> {
+  async read(path: string, { signal }: TaskOptions): Promise<Uint8Array> {
     const file = this.#files.get(path)!;
     // Browsers decode no text in memory that threads share, and these might change it meanwhile.
     if (isA(file, 'Uint8Array'))
@@ -63,6 +63,7 @@ export class FileSet {
     try {
       return new Uint8Array(await file.arrayBuffer());
     } catch (cause) {
+      signal?.throwIfAborted();
       // A fault of an archive is reported by what reads it.
       if (cause instanceof GeodesicVoronoiError) throw cause;
       throw invalidFile(`${path || 'the file'} cannot be read: ${(cause as Error).message}`, {

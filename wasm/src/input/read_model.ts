@@ -59,10 +59,14 @@ export async function modelIn(
   wanted: string | undefined,
   task: TaskOptions,
 ): Promise<FoundModel> {
-  const found = await modelAmong(files, wanted);
+  const found = await modelAmong(files, wanted, task);
   const isArchive = found.format === 'zip';
   const model = isArchive
-    ? await modelAmong((await imported(import('./zip.js'))).zipFiles(found.bytes, task), wanted)
+    ? await modelAmong(
+        (await imported(import('./zip.js'))).zipFiles(found.bytes, task),
+        wanted,
+        task,
+      )
     : found;
   task.signal?.throwIfAborted();
   const { format } = model;
@@ -78,7 +82,7 @@ export async function modelsIn(files: ModelFiles, task: TaskOptions): Promise<st
   task.signal?.throwIfAborted();
   const models = new FileSet(files).models();
   if (models.length > 0) return models;
-  const { file, format, bytes } = await modelAmong(files, undefined);
+  const { file, format, bytes } = await modelAmong(files, undefined, task);
   if (format !== 'zip') return [file];
   return new FileSet((await imported(import('./zip.js'))).zipFiles(bytes, task)).models();
 }
@@ -86,10 +90,11 @@ export async function modelsIn(files: ModelFiles, task: TaskOptions): Promise<st
 async function modelAmong(
   files: ModelFiles,
   wanted: string | undefined,
+  task: TaskOptions,
 ): Promise<Omit<FoundModel, 'format'> & { format: FileFormat }> {
   const set = new FileSet(files);
   const file = set.model(wanted);
-  const bytes = await set.read(file);
+  const bytes = await set.read(file, task);
   const format = formatOf(bytes, file);
   if (format !== 'zip' && wanted !== undefined && file !== wanted) throw set.without(wanted);
   // Each is read once, and unpacked once: a glTF may have thousands of buffers in one file.
@@ -97,7 +102,7 @@ async function modelAmong(
   const resource = async (uri: string) => {
     const path = set.resource(file, uri);
     if (path === undefined) return undefined;
-    const content = contents.get(path) ?? set.read(path);
+    const content = contents.get(path) ?? set.read(path, task);
     contents.set(path, content);
     return content;
   };
