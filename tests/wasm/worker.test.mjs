@@ -265,3 +265,10 @@ test('a worker that does not load, or stops, says so', async (t) => {
   running.onerror({ message: 'out of memory' });
   await assert.rejects(waiting, fails('internal', /out of memory/));
 });
+
+test('an answer that cannot be received ends what waits', async (t) => {
+  const { library, worker } = await loadThroughChannel(t);
+  const waiting = library.mesh(octahedron());
+  worker.onmessageerror();
+  await assert.rejects(waiting, fails('internal', /the worker has stopped: its answer/));
+});

@@ -6,9 +6,13 @@
 
 import type { Port } from './engine/worker_server.js';
 
-const port = globalThis as unknown as Port;
+const port = globalThis as unknown as Port & { onmessageerror: (() => void) | null };
 const early: MessageEvent[] = [];
 port.onmessage = (event) => early.push(event);
+// The other side hears of it as of any error of a worker; it would wait for an answer for ever.
+port.onmessageerror = () => {
+  throw new Error('a message cannot be received');
+};
 
 // Node has no `reportError`: the name is read only if it is needed.
 import('./engine/worker_server.js').then(

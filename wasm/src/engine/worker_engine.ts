@@ -11,6 +11,7 @@ import type { Loaded, Port, Reply, Request } from './worker_server.js';
 /** A `Worker`, seen from outside. */
 interface WorkerPort extends Port {
   onerror: ((event: ErrorEvent) => void) | null;
+  onmessageerror: ((event: MessageEvent) => void) | null;
   terminate(): void;
 }
 
@@ -61,12 +62,11 @@ class Connection {
   constructor(worker: WorkerPort, name: string) {
     this.#worker = worker;
     worker.onmessage = ({ data }: { data: Reply }) => this.#receive(data);
-    worker.onerror = ({ message }) => {
-      this.close(
-        this.#isLoaded ? 'internal' : 'load-failed',
-        `${name} has stopped: ${message || 'its script cannot be loaded'}`,
-      );
-    };
+    const stop = (why: string) =>
+      this.close(this.#isLoaded ? 'internal' : 'load-failed', `${name} has stopped: ${why}`);
+    worker.onerror = ({ message }) => stop(message || 'its script cannot be loaded');
+    // Nobody knows which request it answers. It may be too large for the memory there is.
+    worker.onmessageerror = () => stop('its answer cannot be received');
   }
 
   async load(sources: EngineSources): Promise<Loaded> {

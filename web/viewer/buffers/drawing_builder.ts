@@ -33,6 +33,8 @@ export class DrawingBuilder {
       this.#waiting.get(id)?.(result as never);
       this.#waiting.delete(id);
     };
+    // An answer that is too large for the memory there is: nobody knows to which request.
+    this.#port.onmessageerror = () => this.dispose();
   }
 
   /** True once the worker has started. */
