@@ -844,6 +844,37 @@ suite('attributes and events', () => {
     assert.equal(await viewer.regionCount(), 7);
   });
 
+  test('a library that has stopped takes no other with it, however many requests it has left', async () => {
+    const viewer = await browser.open({
+      path: 'import-map.html',
+      prepare: (page) => page.addInitScript(prepareToStop),
+    });
+    await viewer.evaluate(async (viewer) => {
+      const { mesh } = viewer;
+      const sampleSites = mesh.sampleSites.bind(mesh);
+      mesh.sampleSites = async (...args) => {
+        try {
+          return await sampleSites(...args);
+        } catch (error) {
+          await new Promise((resolve) => setTimeout(resolve, 1)); // the model is being reopened
+          throw error;
+        }
+      };
+      const reopened = new Promise((resolve, reject) => {
+        viewer.addEventListener('load', () => resolve());
+        viewer.addEventListener('error', ({ detail: { type, message } }) => {
+          if (type === 'loadfailure') reject(new Error(message));
+        });
+      });
+      window.stopLibraryAtNextCall();
+      void viewer.sampleSites(5);
+      viewer.moveSite(3, { face: 100, bary: [0.2, 0.3, 0.5] });
+      await reopened;
+    });
+    await viewer.settled();
+    assert.equal(await viewer.regionCount(), 12);
+  });
+
   test('where a script cannot be loaded that reads a model, the present one stays', async () => {
     const viewer = await browser.open({
       path: 'import-map.html',

@@ -49,10 +49,8 @@ export class Session {
   readonly #opening = new RestartableTask();
   readonly sampling = new RestartableTask();
   #lease: LibraryLease | undefined;
-  /** How the present model was opened. */
-  #opened: { read: Reader; how: Opening } | undefined;
-  /** See `hasStopped`. */
-  #hasStopped = false;
+  /** How the present model was opened, and with which library. */
+  #opened: { read: Reader; how: Opening; lease: LibraryLease } | undefined;
   #hasFailed = false;
   #status: Status = 'empty';
   #cvtStatus: CvtStatus = 'idle';
@@ -108,7 +106,7 @@ export class Session {
 
   /** Whether the library of the present mesh has stopped: requests open the model once more. */
   get hasStopped(): boolean {
-    return this.#hasStopped;
+    return this.#opened !== undefined && this.#opened.lease !== this.#lease;
   }
 
   /** Opens a model with so many sites sampled; resolves to whether it is there now. */
@@ -117,12 +115,15 @@ export class Session {
     return this.#outcome(this.#opening, 'loadfailure', async (signal) => {
       const lease = (this.#lease ??= new LibraryLease());
       const library = await lease.library.catch((error) => {
-        if (lease === this.#lease) this.#discardLibrary();
+        this.#discard(lease);
         throw sentence('Nothing can be computed', error);
       });
-      const opened = await openMesh(library, read, how, { signal, onProgress: this.#onProgress });
-      this.#opened = { read, how: { ...how, kept: undefined } };
-      this.#hasStopped = false;
+      const task = { signal, onProgress: this.#onProgress };
+      const opened = await openMesh(library, read, how, task).catch((error) => {
+        if (isOfStopped(error)) this.#discard(lease);
+        throw error;
+      });
+      this.#opened = { read, how: { ...how, kept: undefined }, lease };
       this.#adopt(opened);
     });
   }
@@ -145,7 +146,7 @@ export class Session {
   async sampleSites(siteSampling: SiteSampling): Promise<boolean> {
     const { mesh } = this;
     if (!mesh) return false;
-    if (this.#hasStopped) return this.reopen(siteSampling);
+    if (this.hasStopped) return this.reopen(siteSampling);
     return this.#outcome(this.sampling, 'computefailure', async (signal) => {
       const task = { signal, onProgress: this.#onProgress };
       const sites = this.#history.createAll(await sampleSites(mesh, siteSampling, task));
@@ -302,7 +303,7 @@ export class Session {
   }
 
   #request(options?: { patient: boolean }): void {
-    if (!this.#hasStopped) this.#diagram.request(this.sites, options);
+    if (!this.hasStopped) this.#diagram.request(this.sites, options);
     // A model that is being opened takes the sites as they are in the end.
     else if (!this.#opening.isRunning) void this.reopen();
   }
@@ -325,24 +326,24 @@ export class Session {
     this.#listener.settingsRestored(this.#diagram.settings);
     this.#listener.sitesChanged();
     // After a step that failed there is no diagram, and after a library has stopped no mesh.
-    const isGone = !diagram || this.#hasStopped;
+    const isGone = !diagram || this.hasStopped;
     if (isGone && sites.length > 0 && failed.sites !== sites) this.#request();
   }
 
   #fail(error: unknown, type: FailureType = 'computefailure'): void {
     this.#hasFailed = true;
-    const { code } = ((error as Error).cause ?? error) as { code?: unknown };
-    if (code === 'internal') {
-      this.#hasStopped = true;
-      this.#discardLibrary();
-    }
+    // An opening has seen to its own library: that may be another one than the present model's.
+    if (isOfStopped(error) && this.#opened) this.#discard(this.#opened.lease);
     this.#listener.failed(type, error);
   }
 
-  /** A library that has stopped never answers again; another one starts when it is needed. */
-  #discardLibrary(): void {
-    this.#lease?.discard();
-    this.#lease = undefined;
+  /**
+   * Gives up a library that has stopped, and never answers again; another one starts when it is
+   * needed, and may have started since.
+   */
+  #discard(lease: LibraryLease): void {
+    lease.discard();
+    if (lease === this.#lease) this.#lease = undefined;
   }
 
   #statusNow(): Status {
@@ -365,4 +366,10 @@ export class Session {
       this.#listener.cvtStatusChanged(cvtStatus);
     }
   }
+}
+
+/** Whether an error says that a library has stopped. */
+function isOfStopped(error: unknown): boolean {
+  const { code } = ((error as Error).cause ?? error) as { code?: unknown };
+  return code === 'internal';
 }
