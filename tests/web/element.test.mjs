@@ -844,6 +844,29 @@ suite('attributes and events', () => {
     assert.equal(await viewer.regionCount(), 7);
   });
 
+  test('a model that is given up when it has just been opened does not come', async () => {
+    const viewer = await browser.open({ path: 'import-map.html' });
+    const isThere = await viewer.evaluate(async (viewer) => {
+      const text = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n';
+      // Just before the session hears that all is there: the last that is waited for is the scene.
+      const { all } = Promise;
+      Promise.all = (list) => {
+        const made = all.call(Promise, list);
+        if (!/openMesh/.test(new Error().stack)) return made;
+        const thenGiveUp = (done) => (value) => {
+          done(value);
+          queueMicrotask(() => viewer.cancel());
+        };
+        return { then: (done, fail) => made.then(thenGiveUp(done), fail) };
+      };
+      const isOpen = await viewer.loadFiles({ 'a.obj': new TextEncoder().encode(text) });
+      Promise.all = all;
+      return isOpen;
+    });
+    assert.equal(isThere, false);
+    assert.equal(await viewer.regionCount(), 12);
+  });
+
   test('a library that has stopped takes no other with it, however many requests it has left', async () => {
     const viewer = await browser.open({
       path: 'import-map.html',

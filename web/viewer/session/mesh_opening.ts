@@ -58,7 +58,7 @@ export interface OpenedMesh {
 const readShare = 0.4;
 const meshShare = 0.8;
 
-/** Opens a mesh with its sites. If any step fails or is aborted, nothing stays open. */
+/** Opens a mesh with its sites. If any step fails, nothing stays open. */
 export async function openMesh(
   library: GeodesicVoronoi,
   read: Reader,
@@ -87,7 +87,6 @@ export async function openMesh(
       firstState(mesh, { siteSampling, kept }, drawn, placing),
       drawn,
     ]);
-    signal.throwIfAborted();
     const name = lastSegment(mesh.info.origin.file);
     return { mesh, name, files, ...edited, scene, builder };
   } catch (error) {

@@ -123,6 +123,12 @@ export class Session {
         if (isOfStopped(error)) this.#discard(lease);
         throw error;
       });
+      // Only here can nothing come between this look at the signal and the adoption.
+      if (signal.aborted) {
+        opened.mesh.dispose();
+        opened.builder.dispose();
+        throw signal.reason;
+      }
       this.#opened = { read, how: { ...how, kept: undefined }, lease };
       this.#adopt(opened);
     });
