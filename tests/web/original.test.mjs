@@ -189,6 +189,22 @@ test('textures and vertex colours are shown where the file has them', async () =
   assert.equal(await note.isHidden(), true);
 });
 
+test('a picture that nobody waits for any more is not fetched to its end', async () => {
+  const viewer = await browser.open();
+  const { page } = viewer;
+  await page.route('**/far.gltf', (route) =>
+    route.fulfill({ body: square({ imageFile: 'never.png' }) }),
+  );
+  await page.route('**/never.png', () => {});
+  await viewer.after('diagram', () => viewer.evaluate((viewer) => void viewer.load('far.gltf')));
+  const asked = page.waitForRequest('**/never.png');
+  await viewer.set({ layers: ['original'] });
+  await asked;
+  const ended = page.waitForEvent('requestfailed', { timeout: 5000 });
+  await viewer.set({ layers: ['regions'] });
+  assert.match((await ended).url(), /never\.png$/);
+});
+
 test('an unlit material is drawn like any other', async () => {
   const viewer = await browser.open();
   const { buffers, ...json } = JSON.parse(square());

@@ -288,6 +288,7 @@ export class Viewer implements Workpiece {
     this.#gestures.cancel();
     this.session.dispose();
     this.#derived.dispose();
+    this.#original.dispose();
     this.#model?.dispose();
     this.#model = undefined;
     this.stage.dispose();

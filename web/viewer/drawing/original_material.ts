@@ -35,25 +35,22 @@ export interface OriginalMaterial {
 /** Reads a file that the model refers to. */
 type Resource = (uri: string) => Promise<Uint8Array | undefined>;
 
-/**
- * Undefined if the file gives its surface no colours, or if nobody wants them any more. Rejects if they
- * cannot be read.
- */
+/** Undefined if the file gives its surface no colours. Rejects if they cannot be read. */
 export async function originalMaterial(
   { files, file, fetchBeside }: NamedFiles,
   frame: ModelFrame,
   builder: DrawingBuilder,
-  isWanted: () => boolean,
+  signal: AbortSignal,
 ): Promise<OriginalMaterial | undefined> {
-  const { format, bytes, resource: given } = await findModel(files, { file });
+  const { format, bytes, resource: given } = await findModel(files, { file, signal });
   /** Looks among the files of the model, then at its address. */
   const resource = async (uri: string) =>
-    (await given(uri).catch(() => undefined)) ?? fetchBeside?.(uri);
+    (await given(uri).catch(() => undefined)) ?? fetchBeside?.(uri, signal);
   const surface =
     format === 'glTF'
       ? await gltfScene(bytes, resource)
       : format === 'PLY'
-        ? await plyScene(bytes, builder, isWanted)
+        ? await plyScene(bytes, builder, signal)
         : undefined;
   if (!surface) return undefined;
   const object = new Group();
@@ -213,10 +210,10 @@ async function contentOf(uri: string, resource: Resource): Promise<Uint8Array<Ar
 async function plyScene(
   bytes: Uint8Array,
   builder: DrawingBuilder,
-  isWanted: () => boolean,
+  signal: AbortSignal,
 ): Promise<Object3D | undefined> {
   const made = await builder.plySurface(bytes);
-  if (!isWanted()) return undefined; // the builder has ended with the model, and nothing is to be made here
+  signal.throwIfAborted(); // the builder has ended with the model, and nothing is to be made here
   const surface =
     made === undefined ? (await import('../buffers/ply_surface.js')).plySurface(bytes) : made;
   if (!surface) return undefined;

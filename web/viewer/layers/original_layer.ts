@@ -12,6 +12,8 @@ export class OriginalLayer {
   readonly #emit: Emit;
   /** The model whose material was last asked for. */
   #shown: OpenModel | undefined;
+  /** Of the last reading; aborted when its material is not wanted any more. */
+  #reading = new AbortController();
 
   constructor(place: DrawingPlace, emit: Emit) {
     this.#place = place;
@@ -24,13 +26,15 @@ export class OriginalLayer {
     const wanted = attributes.layers.includes('original') ? model : undefined;
     if (wanted === this.#shown) return;
     this.#shown = wanted;
+    this.#reading.abort();
+    this.#reading = new AbortController();
+    const { signal } = this.#reading;
     let problem: string | undefined;
-    const material = await this.#read(wanted).catch((error: Error) => {
+    const material = await this.#read(wanted, signal).catch((error: Error) => {
       problem = error.message;
       return undefined;
     });
-    // Another model may be there by now, or none.
-    if (wanted !== this.#shown || model !== this.#place.model) {
+    if (signal.aborted) {
       material?.dispose();
       return;
     }
@@ -40,12 +44,18 @@ export class OriginalLayer {
     this.#emit('original', wanted ? { isFound: material !== undefined, textures, problem } : null);
   }
 
-  async #read(model: OpenModel | undefined): Promise<OriginalMaterial | undefined> {
+  dispose(): void {
+    this.#reading.abort();
+  }
+
+  async #read(
+    model: OpenModel | undefined,
+    signal: AbortSignal,
+  ): Promise<OriginalMaterial | undefined> {
     if (!model) return undefined;
     const { originalMaterial } = await import('../drawing/original_material.js');
     const { files, drawing, builder } = model;
-    const isWanted = () => model === this.#place.model;
-    const material = await originalMaterial(files, drawing.mesh.frame, builder, isWanted);
+    const material = await originalMaterial(files, drawing.mesh.frame, builder, signal);
     if (material) await this.#place.stage.compile(material.object);
     return material;
   }

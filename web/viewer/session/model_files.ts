@@ -12,7 +12,7 @@ export interface NamedFiles {
   /** The path of the model to open, of several. */
   file?: string;
   /** Fetches a further file that the model refers to, from the model's own address. */
-  fetchBeside?: (uri: string) => Promise<Uint8Array>;
+  fetchBeside?: (uri: string, signal: AbortSignal) => Promise<Uint8Array>;
 }
 
 export type Task = Required<TaskOptions>;
@@ -76,7 +76,7 @@ export async function fetchModelFiles(
   for (const uri of gltfResourceUris(bytes)) {
     files[uri] = await fetchBytes(urlOf(uri, url), signal);
   }
-  const fetchBeside = (uri: string) => fetchBytes(urlOf(uri, url), new AbortController().signal);
+  const fetchBeside = (uri: string, signal: AbortSignal) => fetchBytes(urlOf(uri, url), signal);
   return { name, files, file: url.hash ? decoded(url.hash.slice(1)) : undefined, fetchBeside };
 }
 
