@@ -5,7 +5,7 @@
 import type { GeodesicVoronoiElement } from '../../viewer/element.js';
 import { lastSegment } from '../../viewer/session/model_files.js';
 import { listen } from '../base/dom.js';
-import { isSample, modelOf } from '../samples/first_model.js';
+import { isSample, modelOf, namedModel } from '../samples/first_model.js';
 import type { Edits } from './edits.js';
 import { isPageState, linkAttributes, modelName, pageState } from './page_state.js';
 
@@ -42,7 +42,7 @@ export function setUpAddress(viewer: GeodesicVoronoiElement, edits: Edits): void
  */
 function keepState(viewer: GeodesicVoronoiElement): () => void {
   const { hash } = location;
-  const named = new URLSearchParams(hash.slice(1)).get('model');
+  const named = namedModel(hash);
   const first = lastSegment(modelOf(hash));
   // The sample in place of a file, which the address does not describe.
   let standIn = isPageState(hash) && named && !isSample(named) ? first : undefined;
