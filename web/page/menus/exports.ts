@@ -18,11 +18,11 @@ interface Source {
   viewer: GeodesicVoronoiElement;
   diagram: Diagram;
   mesh: AttributeSource | undefined;
-  /** Sentences on what makes the file an invalid mesh, which encoders add. */
+  /** Sentences on what makes the file an invalid mesh, which makers add. */
   violations: (string | undefined)[];
 }
 
-type Encoder = (source: Source) => Blob | Promise<Blob>;
+type Maker = (source: Source) => Blob | Promise<Blob>;
 
 const mediaTypes = {
   csv: 'text/csv',
@@ -35,8 +35,8 @@ const mediaTypes = {
   zip: 'application/zip',
 };
 
-/** The encoders of results of the diagram, as the menu has them. */
-const encoders: Record<string, Record<string, Encoder>> = {
+/** What makes the files, by the rows of the menu and their formats. */
+const makers: Record<string, Record<string, Maker>> = {
   outlines: {
     svg: async ({ viewer, diagram }) =>
       new Blob([await outlinesSvg(viewer, await diagram.fetchData())], { type: mediaTypes.svg }),
@@ -70,9 +70,9 @@ const encoders: Record<string, Record<string, Encoder>> = {
     ply: async (source) => encode(mediaTypes.ply, 'partitionPly', ...(await colouredParts(source))),
     stl: async ({ diagram }) => encode(mediaTypes.zip, 'partitionStls', await diagram.partition()),
   },
-  polygons: polygonEncoders(regionPolygons),
-  dual: polygonEncoders(dualPolygons),
-} satisfies { [Name in Exclude<keyof Formats, 'picture'>]: Record<Formats[Name], Encoder> };
+  polygons: polygonMakers(regionPolygons),
+  dual: polygonMakers(dualPolygons),
+} satisfies { [Name in Exclude<keyof Formats, 'picture'>]: Record<Formats[Name], Maker> };
 
 async function colouredParts({ viewer, diagram, mesh }: Source) {
   // Now: the viewer may have another diagram by the time the parts are there.
@@ -111,10 +111,10 @@ async function regionPolygons({ viewer, diagram, violations }: Source): Promise<
   return polygons;
 }
 
-/** The encoders of polygons, which may be no valid mesh. */
-function polygonEncoders(
+/** What makes files of polygons, which may be no valid mesh. */
+function polygonMakers(
   polygons: (source: Source) => Promise<PolygonMesh>,
-): Record<Formats['dual'], Encoder> {
+): Record<Formats['dual'], Maker> {
   return {
     glb: async (source) =>
       encode(mediaTypes.glb, 'polygonGlb', await polygons(source), { mesh: source.mesh }),
@@ -176,7 +176,7 @@ export async function fileOf(
   // Another model may be opened while the file is made.
   const [model, mesh] = [modelName(viewer), sourceOf(viewer)];
   const violations: string[] = [];
-  const blob = await encoders[name][format]({ viewer, diagram, mesh, violations });
+  const blob = await makers[name][format]({ viewer, diagram, mesh, violations });
   const ending = blob.type === mediaTypes.zip ? 'zip' : format;
   return { blob, name: downloadName(model, name, ending), violations: violations.join(' ') };
 }
