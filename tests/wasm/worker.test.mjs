@@ -7,6 +7,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { load } from 'geodesic-voronoi';
+import { outOfMemory } from '../../dist/api/errors.js';
 import { LocalEngine } from '../../dist/engine/local_engine.js';
 import { Library } from '../../dist/library/library.js';
 import { startWorkerEngine } from '../../dist/engine/worker_engine.js';
@@ -218,6 +219,22 @@ test('a change of a diagram that has begun is carried out on both sides', async 
     name: 'AbortError',
   });
   assert.deepEqual([...(await diagram.locate({ vertex: [0, 2] })).label], [0, 2]);
+});
+
+/** Else what it says of itself would not be what it answers. */
+test('a diagram without memory for all of a change is disposed', async (t) => {
+  const { library, engine } = await loadThroughChannel(t);
+  const mesh = await library.mesh(octahedron());
+  const diagram = await mesh.voronoi({ vertex: [0, 1] });
+  const call = engine().call.bind(engine());
+  engine().call = async (name, ...args) => {
+    const result = await call(name, ...args);
+    if (name === 'insertSite') throw outOfMemory();
+    return result;
+  };
+  await assert.rejects(diagram.insertSite({ vertex: [2] }), fails('out-of-memory', /memory/));
+  await assert.rejects(diagram.locate({ vertex: [2] }), fails('disposed', /diagram/));
+  assert.equal((await mesh.voronoi({ vertex: [0, 1] })).regions.length, 2);
 });
 
 test('what a listener throws ends the task', async (t) => {

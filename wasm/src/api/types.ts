@@ -99,7 +99,10 @@ export interface Diagram extends Disposable {
    * then.
    */
   fetchData(options?: TaskOptions): Promise<DiagramData>;
-  /** Adds a site; it gets the lowest label that is free. */
+  /**
+   * Adds a site; it gets the lowest label that is free. If there is not enough memory for a change,
+   * this one or another, the diagram is disposed.
+   */
   insertSite(site: SurfacePointsInput, options?: TaskOptions): Promise<DiagramChange>;
   /** Moves a site to a point; it keeps its label. */
   moveSite(label: number, site: SurfacePointsInput, options?: TaskOptions): Promise<DiagramChange>;

@@ -7,6 +7,7 @@ import { appendChange, areLarge, changedData, changedSites } from './change.js';
 import { toTask, toTaskOptions } from '../base/checks.js';
 import type { DiagramForm, Engine, OpenedDiagram } from '../engine/engine.js';
 import { diagramJson, type DiagramJson } from '../output/diagram_formats.js';
+import type { GeodesicVoronoiError } from '../api/errors.js';
 import { checked, repairDefaults, toPoint, toPoints, type GivenPoints } from './arguments.js';
 import { EngineObject } from './engine_object.js';
 import { disposeSymbol, inspectSymbol, tagSymbol } from '../base/symbols.js';
@@ -164,7 +165,13 @@ export class EngineDiagram implements Diagram {
       const site = place && (await this.#object.onSurface(place, { signal }));
       signal?.throwIfAborted();
       const all = site ? [...args, site.face, site.bary] : args;
-      const change = await this.#object.call<DiagramChange>(name, all, { onProgress: report });
+      const change = await this.#object
+        .call<DiagramChange>(name, all, { onProgress: report })
+        .catch((error) => {
+          // The engine's diagram has changed, but for all of its arrays there was no memory.
+          if ((error as GeodesicVoronoiError).code === 'out-of-memory') this.dispose();
+          throw error;
+        });
       this.#sites = changedSites(this.#sites, change.label, site);
       appendChange(this.#changes, change);
       if (areLarge(this.#changes, this.#data)) this.#mergeChanges();
