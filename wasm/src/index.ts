@@ -42,8 +42,8 @@ export * from './output/polygon_formats.js';
 export { repairSentences } from './base/sentences.js';
 
 /**
- * The library on the calling thread. Long work is done in slices of about 12 ms; the guide names the
- * few calls that block the thread longer.
+ * The library on the calling thread. Long work is done in slices of about 12 ms; the guide names what
+ * blocks the thread longer.
  */
 export function load(options?: LoadOptions): Promise<GeodesicVoronoi> {
   return loadLocal(options, compileFromWeb);
