@@ -24,8 +24,9 @@ export async function outlinesSvg(
   const work = new Slices();
   const places = await seenPoints(viewer, data.points.position, work);
   const parts: string[] = [];
-  for (const chain of [...bisectorChains(data), ...boundaryChains(data)]) {
+  for (const chain of chainsOf(data)) {
     if (work.isDue) await work.next();
+    if (!chain) continue;
     // A line for every stretch of the chain that is seen.
     let stretch: string[] = [];
     for (let i = 0; i <= chain.length; ++i) {
@@ -45,31 +46,45 @@ export async function outlinesSvg(
   );
 }
 
-function bisectorChains({ arcs: { points, offset } }: DiagramData): Int32Array[] {
-  return Array.from({ length: offset.length - 1 }, (_, arc) =>
-    points.subarray(offset[arc], offset[arc + 1]),
-  );
+/** The bisectors, then the boundary, as chains of points. */
+function* chainsOf(data: DiagramData): Generator<ArrayLike<number> | undefined> {
+  const { points, offset } = data.arcs;
+  for (let arc = 0; arc + 1 < offset.length; ++arc)
+    yield points.subarray(offset[arc], offset[arc + 1]);
+  yield* boundaryChains(data);
 }
 
-/** The sides of the regions' loops that are on no bisector, as chains of points. */
-function boundaryChains({ loops, segments, points: { face } }: DiagramData): number[][] {
+/**
+ * The sides of the regions' loops that are on no bisector, as chains of points; in between,
+ * undefined, where the work may pause.
+ */
+function* boundaryChains({
+  loops,
+  segments,
+  points: { face },
+}: DiagramData): Generator<number[] | undefined> {
   const keyOf = (a: number, b: number) => Math.min(a, b) * face.length + Math.max(a, b);
   const bisectors = new Set<number>();
-  for (let i = 0; i < segments.points.length; i += 2)
+  for (let i = 0; i < segments.points.length; i += 2) {
     bisectors.add(keyOf(segments.points[i], segments.points[i + 1]));
-  const chains: number[][] = [];
+    if (i % pointsPerStep === 0) yield undefined;
+  }
   for (let loop = 0; loop + 1 < loops.offset.length; ++loop) {
     const corners = loops.points.subarray(loops.offset[loop], loops.offset[loop + 1]);
-    let isOn = false;
-    corners.forEach((corner, i) => {
+    let chain: number[] = [];
+    for (const [i, corner] of corners.entries()) {
       const next = corners[(i + 1) % corners.length];
-      const isBoundary = !bisectors.has(keyOf(corner, next));
-      if (isBoundary && isOn) chains.at(-1)!.push(next);
-      else if (isBoundary) chains.push([corner, next]);
-      isOn = isBoundary;
-    });
+      if (!bisectors.has(keyOf(corner, next))) {
+        if (chain.length === 0) chain.push(corner);
+        chain.push(next);
+      } else if (chain.length > 0) {
+        yield chain;
+        chain = [];
+      }
+      if (i % pointsPerStep === 0) yield undefined;
+    }
+    if (chain.length > 0) yield chain;
   }
-  return chains;
 }
 
 /** The places of points of the surface in the view, which has to stay as it is meanwhile. */
