@@ -43,7 +43,6 @@ export class RegionColours {
   ): Uint16Array {
     const neighbours = neighboursOf(diagram);
     const unset = 0xffff;
-    const labels = [...neighbours.keys()];
     const tones = new Uint16Array(diagram.siteCount).fill(unset);
     const usage: number[] = new Array(fewestTones).fill(0);
     const give = (label: number, tone: number) => {
@@ -52,21 +51,23 @@ export class RegionColours {
       this.#toneOfSite.set(siteIds[label], tone);
     };
 
-    const firmFirst = [
-      ...labels.filter((label) => !yielding.has(label)),
-      ...labels.filter((label) => yielding.has(label)),
-    ];
-    for (const label of firmFirst) {
+    const isAround = (label: number, tone: number) => {
+      for (let i = neighbours.begin[label]; i < neighbours.end[label]; ++i)
+        if (tones[neighbours.labels[i]] === tone) return true;
+      return false;
+    };
+    const keep = (label: number, isYielding: boolean) => {
       const kept = this.#toneOfSite.get(siteIds[label]);
-      if (kept === undefined || neighbours[label].some((other) => tones[other] === kept)) continue;
-      if (kept >= fewestTones && yielding.has(label)) continue;
-      give(label, kept);
-    }
-    for (const label of hardestFirst(neighbours)) {
+      if (kept === undefined || isAround(label, kept)) return;
+      if (!(isYielding && kept >= fewestTones)) give(label, kept);
+    };
+    for (let label = 0; label < tones.length; ++label) if (!yielding.has(label)) keep(label, false);
+    for (const label of [...yielding].sort((a, b) => a - b)) keep(label, true);
+    const order = tones.includes(unset) ? hardestFirst(neighbours) : [];
+    for (const label of order) {
       if (tones[label] !== unset) continue;
-      const around = neighbours[label]
-        .map((other) => tones[other])
-        .filter((tone) => tone !== unset);
+      const others = neighbours.labels.subarray(neighbours.begin[label], neighbours.end[label]);
+      const around = Array.from(others, (other) => tones[other]).filter((tone) => tone !== unset);
       give(label, bestTone(usage, around));
     }
     if (this.#toneOfSite.size > siteIds.length + mostGone)
@@ -111,13 +112,32 @@ function toneDistance(a: number, b: number): number {
   return (row[b] ??= leastDistance(toneColour(a), toneColour(b)));
 }
 
-function neighboursOf({ siteCount, arcs }: Adjacency): number[][] {
-  const sets = Array.from({ length: siteCount }, () => new Set<number>());
-  for (let i = 0; i + 1 < arcs.labels.length; i += 2) {
-    sets[arcs.labels[i]].add(arcs.labels[i + 1]);
-    sets[arcs.labels[i + 1]].add(arcs.labels[i]);
+/** The labels beside each label, once: `labels[begin[i]] … labels[end[i] - 1]`. */
+interface Neighbours {
+  begin: Int32Array;
+  end: Int32Array;
+  labels: Int32Array;
+}
+
+/** In a few arrays, since a list for each of thousands of labels takes far longer. */
+function neighboursOf({ siteCount, arcs }: Adjacency): Neighbours {
+  const offset = new Int32Array(siteCount + 1);
+  for (let i = 0; i < arcs.labels.length; ++i) ++offset[arcs.labels[i] + 1];
+  for (let label = 0; label < siteCount; ++label) offset[label + 1] += offset[label];
+  const begin = offset.subarray(0, siteCount);
+  const end = begin.slice();
+  const labels = new Int32Array(arcs.labels.length);
+  for (let i = 0; i < arcs.labels.length; ++i) labels[end[arcs.labels[i]]++] = arcs.labels[i ^ 1]; // the other one of the arc
+  const lastBeside = new Int32Array(siteCount).fill(-1);
+  for (let label = 0; label < siteCount; ++label) {
+    end[label] = begin[label];
+    for (let i = begin[label]; i < offset[label + 1]; ++i) {
+      if (lastBeside[labels[i]] === label) continue;
+      lastBeside[labels[i]] = label;
+      labels[end[label]++] = labels[i];
+    }
   }
-  return sets.map((set) => [...set]);
+  return { begin, end, labels };
 }
 
 /**
@@ -125,15 +145,15 @@ function neighboursOf({ siteCount, arcs }: Adjacency): number[][] {
  * neighbours left, again and again, from the last to the first ("smallest last"). On a sphere no
  * label then has more than five neighbours before it.
  */
-function hardestFirst(neighbours: readonly (readonly number[])[]): number[] {
-  const left = neighbours.map((list) => list.length);
+function hardestFirst({ begin, end, labels }: Neighbours): number[] {
+  const left = end.map((at, label) => at - begin[label]);
   const buckets: number[][] = [];
   const put = (label: number) => (buckets[left[label]] ??= []).push(label);
-  neighbours.forEach((_, label) => put(label));
-  const removed = new Uint8Array(neighbours.length);
+  for (const label of left.keys()) put(label);
+  const removed = new Uint8Array(left.length);
   const order: number[] = [];
   let degree = 0;
-  while (order.length < neighbours.length) {
+  while (order.length < left.length) {
     const label = buckets[degree]?.pop();
     if (label === undefined) {
       ++degree;
@@ -143,7 +163,8 @@ function hardestFirst(neighbours: readonly (readonly number[])[]): number[] {
     if (removed[label] || left[label] !== degree) continue;
     removed[label] = 1;
     order.push(label);
-    for (const other of neighbours[label]) {
+    for (let i = begin[label]; i < end[label]; ++i) {
+      const other = labels[i];
       if (removed[other]) continue;
       --left[other];
       put(other);
