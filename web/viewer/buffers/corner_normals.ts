@@ -2,7 +2,7 @@
 //
 // Normals for shading, with creases.
 
-import { cornersByPlace, firstAtPlace } from './places.js';
+import { adjacencyOf } from './places.js';
 import { vectorLength } from './vector_length.js';
 
 /** Faces that meet at a sharper angle than this are shaded as an edge, others as one smooth surface. */
@@ -15,8 +15,7 @@ const creaseCosine = Math.cos((40 * Math.PI) / 180);
 export function cornerNormals(positions: Float32Array, indices: Int32Array): Float32Array {
   const faceNormals = normalsOfFaces(positions, indices);
   const angles = cornerAngles(positions, indices);
-  const place = firstAtPlace(positions);
-  const { offset, corners } = cornersByPlace(indices, place);
+  const { place, offset, corners } = adjacencyOf({ positions, indices });
 
   const normals = new Float32Array(3 * indices.length);
   for (let corner = 0; corner < indices.length; ++corner) {

@@ -2,7 +2,7 @@
 //
 // The surface with the distance to the nearest site at every point, ready to be drawn.
 
-import type { DiagramData, SurfacePoints } from 'geodesic-voronoi';
+import type { SurfacePoints } from 'geodesic-voronoi';
 import { cellTriangles, type Cells } from './cell_triangles.js';
 import { mixed } from './face_label.js';
 import type { SceneMesh } from './scene_mesh.js';
@@ -38,7 +38,7 @@ const noReach = 1e6;
 /** Vertices of the triangles in a diagram; point i is `vertex[i]`, as the corner of a triangle. */
 export function cornersToAsk(
   { indices, positions }: Pick<SceneMesh, 'indices' | 'positions'>,
-  { faceLabel }: Pick<DiagramData, 'faceLabel'>,
+  faceLabel: Int32Array,
 ): { vertex: Int32Array; points: SurfacePoints } {
   const vertexCount = positions.length / 3;
   const vertex = new Int32Array(vertexCount);

@@ -57,6 +57,11 @@ export class DrawingBuilder {
     return this.#ask('edges', []);
   }
 
+  /** See `adjacencyOf`. */
+  adjacency() {
+    return this.#ask('adjacency', []);
+  }
+
   diagram({ cells, points: { position }, segments: { points } }: DiagramData) {
     // Only the arrays that are needed are copied to the worker.
     return this.#ask('diagram', [{ cells, points: { position }, segments: { points } }]);
@@ -67,6 +72,11 @@ export class DrawingBuilder {
     const partition = { points: { position }, triangles, regions: { centroid } };
     const given = [position, ...Object.values(triangles)].map(({ buffer }) => buffer);
     return this.#ask('parts', [partition, tones], given as ArrayBuffer[]);
+  }
+
+  /** See `cornersToAsk`. */
+  corners({ faceLabel }: Pick<DiagramData, 'faceLabel'>) {
+    return this.#ask('corners', [faceLabel]);
   }
 
   /** The surface with distances. */

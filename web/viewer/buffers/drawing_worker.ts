@@ -5,8 +5,9 @@
 
 import type { Mesh } from 'geodesic-voronoi';
 import { type DiagramLines, diagramGeometry } from './diagram_geometry.js';
-import { type DistanceSamples, distanceTriangles } from './distance_triangles.js';
+import { cornersToAsk, type DistanceSamples, distanceTriangles } from './distance_triangles.js';
 import { meshEdges } from './mesh_edges.js';
+import { adjacencyOf } from './places.js';
 import { type Parts, partTriangles } from './part_triangles.js';
 import { sceneArrays } from './scene_arrays.js';
 import { SceneMesh } from './scene_mesh.js';
@@ -33,6 +34,8 @@ function newTasks() {
     // It fails where a page finds modules by an import map, which its workers do not.
     tree: async () => (await import('./search_tree.js')).buildTree(mesh),
     edges: () => meshEdges(mesh.indices),
+    adjacency: () => adjacencyOf(mesh),
+    corners: (faceLabel: Int32Array) => cornersToAsk(mesh, faceLabel),
     diagram: (diagram: DiagramLines) => diagramGeometry(mesh, diagram),
     parts: (partition: Parts, tones: Uint16Array) => partTriangles(mesh, partition, tones),
     distances: (samples: DistanceSamples) => distanceTriangles(mesh, samples),

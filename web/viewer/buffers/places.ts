@@ -3,7 +3,7 @@
 // The vertices of triangles by the place where they are, which may have several of them.
 
 /** For every vertex the first vertex at the very same position. */
-export function firstAtPlace(positions: Float32Array): Int32Array {
+function firstAtPlace(positions: Float32Array): Int32Array {
   const count = positions.length / 3;
   // Adding zero turns -0 into +0, which is the same place.
   const bits = new Uint32Array(positions.map((x) => x + 0).buffer);
@@ -32,11 +32,32 @@ export function firstAtPlace(positions: Float32Array): Int32Array {
   return place;
 }
 
+/** Which corners of triangles meet at each place, even where the input has several vertices there. */
+export interface Adjacency {
+  /** Per vertex; see `firstAtPlace`. */
+  place: Int32Array;
+  /** See `cornersByPlace`. */
+  offset: Int32Array;
+  corners: Int32Array;
+}
+
+/** A quarter of a second of work for a million triangles. */
+export function adjacencyOf({
+  positions,
+  indices,
+}: {
+  positions: Float32Array;
+  indices: Int32Array;
+}): Adjacency {
+  const place = firstAtPlace(positions);
+  return { place, ...cornersByPlace(indices, place) };
+}
+
 /**
  * The corners of triangles by the place (see `firstAtPlace`) of their vertex. Those at place p are
  * `corners[offset[p]] … corners[offset[p + 1] - 1]`.
  */
-export function cornersByPlace(indices: Int32Array, place: Int32Array) {
+function cornersByPlace(indices: Int32Array, place: Int32Array) {
   const offset = new Int32Array(place.length + 1);
   for (const v of indices) ++offset[place[v] + 1];
   for (let p = 0; p < place.length; ++p) offset[p + 1] += offset[p];

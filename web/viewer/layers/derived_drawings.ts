@@ -7,7 +7,6 @@ import type { Attributes } from '../attributes/attribute_values.js';
 import { Derived } from './derived.js';
 import { distanceScale } from '../drawing/distance_scale.js';
 import type { DrawnDistances } from '../drawing/distance_surface.js';
-import { cornersToAsk } from '../buffers/distance_triangles.js';
 import type { Emit } from '../events.js';
 import { type ExplodedParts, widestSpread } from '../drawing/exploded_parts.js';
 import type { Legend } from './legend.js';
@@ -155,11 +154,15 @@ export class DerivedDrawings {
     if (!model) return undefined;
     const { mesh } = model.drawing;
     const { points, cells, faceLabel } = await diagram.fetchData({ signal });
-    const { vertex, points: corners } = cornersToAsk(mesh, { faceLabel });
+    const corners = await model.builder.corners({ faceLabel });
+    signal.throwIfAborted();
+    if (!corners) throw workerStopped();
     const atPoints = await diagram.locate(points, { signal });
-    const atCorners = await diagram.locate(corners, { signal });
+    const atCorners = await diagram.locate(corners.points, { signal });
     const atVertices = new Float64Array(mesh.positions.length / 3).fill(Infinity);
-    for (let i = 0; i < vertex.length; ++i) atVertices[vertex[i]] = atCorners.distance[i];
+    corners.vertex.forEach((v, i) => {
+      atVertices[v] = atCorners.distance[i];
+    });
     let longest = 0;
     for (const { distance } of [atPoints, atCorners]) {
       for (const each of distance) if (each > longest && each < Infinity) longest = each;

@@ -4,7 +4,8 @@
 
 import type { Brush } from '../attributes/attribute_values.js';
 import type { SurfaceHit } from './picking.js';
-import { cornersByPlace, firstAtPlace } from '../buffers/places.js';
+import type { DrawingBuilder } from '../buffers/drawing_builder.js';
+import { type Adjacency, adjacencyOf } from '../buffers/places.js';
 import type { SceneMesh } from '../buffers/scene_mesh.js';
 
 /** The densities that a brush paints with lie between this and its inverse. */
@@ -22,6 +23,7 @@ export class DensityPaint {
   /** Logarithms as shares of the greatest's: -1 … 1, 0 where nothing is painted. */
   readonly #tints: Float32Array;
   #adjacency: Adjacency | undefined;
+  #isPrepared = false;
 
   constructor(mesh: SceneMesh) {
     this.#mesh = mesh;
@@ -64,13 +66,20 @@ export class DensityPaint {
       throw new RangeError(`density is ${density[wrong]} at vertex ${wrong}, not 0 or above.`);
   }
 
+  /** To be called before the first dab: what all dabs need is made in a worker then. */
+  async prepare(builder: DrawingBuilder): Promise<void> {
+    if (this.#isPrepared) return;
+    this.#isPrepared = true;
+    this.#adjacency ??= await builder.adjacency();
+  }
+
   /** Returns whether any vertex is within reach: where triangles are large, there may be none. */
   dab({ face, place }: SurfaceHit, { radius, density }: Brush): boolean {
     let reaches = false;
-    this.#adjacency ??= new Adjacency(this.#mesh);
-    const { positions } = this.#mesh;
+    const adjacency = (this.#adjacency ??= adjacencyOf(this.#mesh));
+    const { positions, indices } = this.#mesh;
     const target = tintOf(density);
-    this.#adjacency.flood(face, (v) => {
+    flood(face, { indices, ...adjacency }, (v) => {
       const distance = Math.hypot(
         positions[3 * v] - place.x,
         positions[3 * v + 1] - place.y,
@@ -93,35 +102,24 @@ function tintOf(density: number): number {
   return Math.min(1, Math.max(-1, tint));
 }
 
-/** Which faces meet at each place, even where the input has several vertices there. */
-class Adjacency {
-  readonly #indices: Int32Array;
-  readonly #place: Int32Array;
-  readonly #cornersAt: ReturnType<typeof cornersByPlace>;
-
-  constructor({ positions, indices }: SceneMesh) {
-    this.#indices = indices;
-    this.#place = firstAtPlace(positions);
-    this.#cornersAt = cornersByPlace(indices, this.#place);
-  }
-
-  /** Visits the vertices connected to a face by vertices that `accept` accepts, each once. */
-  flood(startFace: number, accept: (vertex: number) => boolean): void {
-    const { offset, corners } = this.#cornersAt;
-    const accepted = new Map<number, boolean>();
-    const seen = new Set([startFace]);
-    for (const face of seen) {
-      for (let corner = 3 * face; corner < 3 * face + 3; ++corner) {
-        const v = this.#indices[corner];
-        if (accepted.has(v)) continue;
-        const isInside = accept(v);
-        accepted.set(v, isInside);
-        if (!isInside) continue;
-        const place = this.#place[v];
-        // The loop over the set also visits faces added here.
-        for (let i = offset[place]; i < offset[place + 1]; ++i)
-          seen.add(Math.floor(corners[i] / 3));
-      }
+/** Visits the vertices connected to a face by vertices that `accept` accepts, each once. */
+function flood(
+  startFace: number,
+  { indices, place, offset, corners }: Adjacency & { indices: Int32Array },
+  accept: (vertex: number) => boolean,
+): void {
+  const accepted = new Map<number, boolean>();
+  const seen = new Set([startFace]);
+  for (const face of seen) {
+    for (let corner = 3 * face; corner < 3 * face + 3; ++corner) {
+      const v = indices[corner];
+      if (accepted.has(v)) continue;
+      const isInside = accept(v);
+      accepted.set(v, isInside);
+      if (!isInside) continue;
+      const p = place[v];
+      // The loop over the set also visits faces added here.
+      for (let i = offset[p]; i < offset[p + 1]; ++i) seen.add(Math.floor(corners[i] / 3));
     }
   }
 }

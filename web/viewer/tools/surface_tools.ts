@@ -203,8 +203,13 @@ export class SurfaceTools {
     if (hit) this.#work.stage.camera.approach(hit.place);
   }
 
-  /** To be called when the camera has moved: another point is under the pointer. */
+  /**
+   * To be called when the camera has moved, which brings another point under the pointer, and when
+   * the tool is another one.
+   */
   follow(): void {
+    const { attributes, model } = this.#work;
+    if (attributes.isPainting) void model?.paint.prepare(model.builder);
     if (this.#pointer) this.hover(this.#pointer.x, this.#pointer.y);
   }
 
