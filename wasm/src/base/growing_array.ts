@@ -4,7 +4,7 @@
 // file's promise. It grows chunk by chunk, because copying it would block the thread and take twice
 // its memory.
 
-import { copyTo, type SlicedWork } from './slices.js';
+import type { SlicedWork } from './slices.js';
 
 type Numbers = Float64Array | Int32Array;
 
@@ -61,5 +61,20 @@ export class GrowingArray<Array extends Numbers> {
       at += chunk.length;
     }
     return all;
+  }
+}
+
+/** Numbers that are copied between two looks at the clock. */
+const numbersPerStep = 2 ** 16;
+
+/** Copies numbers to a place of another array, in steps. */
+export function* copyTo<Array extends Numbers | Uint8Array>(
+  target: Array,
+  at: number,
+  source: Array,
+): SlicedWork<void> {
+  for (let from = 0; from < source.length; from += numbersPerStep) {
+    target.set(source.subarray(from, from + numbersPerStep), at + from);
+    yield from / source.length;
   }
 }

@@ -11,23 +11,6 @@ const sliceMilliseconds = 12;
 /** Work that can be interrupted: it yields the share done, 0 … 1, wherever it may pause. */
 export type SlicedWork<Result> = Generator<number, Result>;
 
-type Numbers = Float64Array | Int32Array | Uint8Array;
-
-/** Numbers that are copied between two looks at the clock. */
-const numbersPerStep = 2 ** 16;
-
-/** Copies numbers to a place of another array, in steps. */
-export function* copyTo<Array extends Numbers>(
-  target: Array,
-  at: number,
-  source: Array,
-): SlicedWork<void> {
-  for (let from = 0; from < source.length; from += numbersPerStep) {
-    target.set(source.subarray(from, from + numbersPerStep), at + from);
-    yield from / source.length;
-  }
-}
-
 /** The options of a part of a task, which reports its progress as the task's between two shares. */
 export function partOf({ signal, onProgress }: TaskOptions, from: number, to: number): TaskOptions {
   return { signal, onProgress: onProgress && ((share) => onProgress(from + (to - from) * share)) };

@@ -3,7 +3,8 @@
 // The lists and buffers of a glTF that is being decompressed: finds, checks and adds bytes.
 
 import { isObject } from '../base/checks.js';
-import { copyTo, type SlicedWork } from '../base/slices.js';
+import { copyTo } from '../base/growing_array.js';
+import type { SlicedWork } from '../base/slices.js';
 import {
   gltfFault,
   type GltfDocument,

@@ -5,8 +5,8 @@
 
 import earcut, { refine } from 'earcut';
 import { counted } from '../base/sentences.js';
-import { copyTo, type SlicedWork } from '../base/slices.js';
-import { GrowingArray } from '../base/growing_array.js';
+import type { SlicedWork } from '../base/slices.js';
+import { copyTo, GrowingArray } from '../base/growing_array.js';
 import { requireCorners, requireTriangles, type SizeLimits } from './limits.js';
 
 /** How far corners are moved, as a share of the polygon: more than rounding, less than any detail. */

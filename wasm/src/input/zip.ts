@@ -6,7 +6,8 @@
 
 import { Inflate } from 'fflate';
 import { invalidFile } from '../api/errors.js';
-import { copyTo, inSlices, type SlicedWork } from '../base/slices.js';
+import { copyTo } from '../base/growing_array.js';
+import { inSlices, type SlicedWork } from '../base/slices.js';
 import type { ModelFiles, TaskOptions } from '../api/options.js';
 
 /**
