@@ -13,6 +13,7 @@ import { DrawingBuilder } from '../buffers/drawing_builder.js';
 import { sentence } from './failure.js';
 import { lastSegment, type NamedFiles, type Task } from './model_files.js';
 import { SceneMesh } from '../buffers/scene_mesh.js';
+import { Slices } from '../stage/next_frame.js';
 import { shallowEqual } from './shallow_equal.js';
 import { type PointList, type Sites, surfacePointsOf, type Tints } from './site_history.js';
 
@@ -57,6 +58,8 @@ export interface OpenedMesh {
 /** The shares of the work that are done when the files have been read, and when the mesh is there. */
 const readShare = 0.4;
 const meshShare = 0.8;
+/** Vertices between two looks at the clock. */
+const verticesPerStep = 1024;
 
 /** Opens a mesh with its sites. If any step fails, nothing stays open. */
 export async function openMesh(
@@ -155,11 +158,17 @@ async function keptTints(
   if (!before) return tints;
   const { indices } = before;
   // Vertices that no triangle has may be anywhere.
-  const places = mesh.positions.map((x) => (Number.isFinite(x) ? x : 0));
+  const places = mesh.positions.slice();
+  for (let i = 0; i < places.length; ++i) if (!Number.isFinite(places[i])) places[i] = 0;
   const { face, bary } = await before.closestPoints(places, { signal });
-  return Float32Array.from(face, (f, v) =>
-    [0, 1, 2].reduce((sum, k) => sum + bary[3 * v + k] * tints[indices[3 * f + k]], 0),
-  );
+  const kept = new Float32Array(face.length);
+  const work = new Slices();
+  for (let v = 0; v < kept.length; ++v) {
+    if (v % verticesPerStep === 0 && work.isDue) await work.next();
+    const tint = (corner: number) => bary[3 * v + corner] * tints[indices[3 * face[v] + corner]];
+    kept[v] = tint(0) + tint(1) + tint(2);
+  }
+  return kept;
 }
 
 export async function sampleSites(
