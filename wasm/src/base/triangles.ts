@@ -2,14 +2,14 @@
 //
 // Meshes between the readers of files and the engine.
 
-/** How triangles were cut into parts. */
-export interface Cut {
+/** Triangles that were subdivided into smaller ones, their children. */
+export interface Subdivision {
   /** The triangles before, and the number of their vertices. */
   whole: Int32Array;
   vertexCount: number;
-  /** The parts. Their vertices are those before, then the midpoints. */
+  /** The children. Their vertices are those before, then the midpoints. */
   indices: Int32Array<ArrayBuffer>;
-  /** Per part, ascending: the triangle that it is part of. */
+  /** Per child, ascending: the triangle that it is part of. */
   parents: Int32Array<ArrayBuffer>;
   /** Per midpoint, the two vertices that it lies between. */
   ends: Int32Array<ArrayBuffer>;
@@ -23,7 +23,7 @@ export interface Triangles {
   normals: Float64Array;
   uvs: Float64Array;
   density: Float64Array;
-  cut?: Cut;
+  subdivision?: Subdivision;
 }
 
 /** A model of a format without normals, texture coordinates and parts; its density is optional. */

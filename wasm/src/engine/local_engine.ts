@@ -22,7 +22,7 @@ import type { DiagramData, MeshInfo, MeshPart, SurfacePoints } from '../api/resu
 import { openSeamsNote } from '../base/sentences.js';
 import { inSlices, partOf, type SlicedWork } from '../base/slices.js';
 import {
-  type Subdivision,
+  type SubdividedArrays,
   subdividedParts,
   subdividedTriangles,
   subdivisionNotes,
@@ -137,18 +137,20 @@ export class LocalEngine implements Engine {
     const arrays = core.call('newMeshArrays', given.positions.length, given.indices.length);
     try {
       await inSlices(this.#copyInto(arrays, given), { signal });
-      const cut =
+      const subdivided =
         maxEdge > 0
-          ? await this.#answer<Subdivision>('subdivideMeshArrays', [arrays, maxEdge], { signal })
+          ? await this.#answer<SubdividedArrays>('subdivideMeshArrays', [arrays, maxEdge], {
+              signal,
+            })
           : undefined;
-      const triangles = cut && subdividedTriangles(given, cut);
+      const triangles = subdivided && subdividedTriangles(given, subdivided);
       const args = [arrays, weld, orientation, minComponent];
       const { mesh, ...counts } = await this.#answer<CreatedMesh>('createMesh', args, task);
       const info: MeshInfo = {
         ...counts,
         origin: { format: 'arrays', file: '' },
         notes: [
-          ...(cut ? subdivisionNotes(given.indices.length / 3, cut) : []),
+          ...(subdivided ? subdivisionNotes(given.indices.length / 3, subdivided) : []),
           ...(counts.hasOpenSeams ? [openSeamsNote] : []),
         ],
       };
@@ -159,8 +161,8 @@ export class LocalEngine implements Engine {
         this.close(handle);
         throw error;
       }
-      if (!cut) return { handle, info, parts };
-      return { handle, info, parts: subdividedParts(parts, cut), triangles };
+      if (!subdivided) return { handle, info, parts };
+      return { handle, info, parts: subdividedParts(parts, subdivided), triangles };
     } finally {
       core.run('freeMeshArrays', arrays);
     }

@@ -4,23 +4,23 @@
 
 import type { MeshPart } from '../api/results.js';
 import { counted, integer } from '../base/sentences.js';
-import type { Cut, Triangles } from '../base/triangles.js';
+import type { Subdivision, Triangles } from '../base/triangles.js';
 
 /** The answer of `subdivideMeshArrays` (subdivision.h). */
-export interface Subdivision extends Pick<Cut, 'indices' | 'parents' | 'ends'> {
+export interface SubdividedArrays extends Pick<Subdivision, 'indices' | 'parents' | 'ends'> {
   /** The given vertices, then the midpoints. */
   positions: Float64Array<ArrayBuffer>;
 }
 
-/** The parts of triangles; attributes of midpoints are the means of those at their ends. */
+/** The children of triangles; attributes of midpoints are the means of those at their ends. */
 export function subdividedTriangles(
   { positions: { length }, indices: whole, normals, uvs, density }: Triangles,
-  { positions, indices, parents, ends }: Subdivision,
+  { positions, indices, parents, ends }: SubdividedArrays,
 ): Triangles {
   return {
     positions,
     indices,
-    cut: { indices, parents, ends, whole, vertexCount: length / 3 },
+    subdivision: { indices, parents, ends, whole, vertexCount: length / 3 },
     normals: unitVectors(extended(normals, 3, ends), normals.length),
     uvs: extended(uvs, 2, ends),
     density: extended(density, 1, ends),
@@ -28,8 +28,11 @@ export function subdividedTriangles(
 }
 
 /** The primitives of a glTF, with triangles numbered as after subdivision. */
-export function subdividedParts(parts: readonly MeshPart[], { parents }: Subdivision): MeshPart[] {
-  const firstOf = (triangle: number) => firstPartOf(triangle, parents);
+export function subdividedParts(
+  parts: readonly MeshPart[],
+  { parents }: SubdividedArrays,
+): MeshPart[] {
+  const firstOf = (triangle: number) => firstChildOf(triangle, parents);
   return parts.map((part) => {
     const firstTriangle = firstOf(part.firstTriangle);
     const end = firstOf(part.firstTriangle + part.triangleCount);
@@ -37,8 +40,8 @@ export function subdividedParts(parts: readonly MeshPart[], { parents }: Subdivi
   });
 }
 
-/** The first part of a triangle: every one has some. Past the last triangle, the number of parts. */
-export function firstPartOf(triangle: number, parents: Int32Array): number {
+/** The first child of a triangle: every one has some. Past the last triangle, the number of children. */
+export function firstChildOf(triangle: number, parents: Int32Array): number {
   let [low, high] = [0, parents.length];
   while (low < high) {
     const middle = (low + high) >> 1;
@@ -49,10 +52,10 @@ export function firstPartOf(triangle: number, parents: Int32Array): number {
 }
 
 /** A sentence on what was subdivided; none if nothing was. */
-export function subdivisionNotes(triangles: number, { indices }: Subdivision): string[] {
-  const parts = indices.length / 3;
-  if (parts === triangles) return [];
-  return [`long edges were halved: ${counted(triangles, 'triangle')} became ${integer(parts)}`];
+export function subdivisionNotes(triangles: number, { indices }: SubdividedArrays): string[] {
+  const children = indices.length / 3;
+  if (children === triangles) return [];
+  return [`long edges were halved: ${counted(triangles, 'triangle')} became ${integer(children)}`];
 }
 
 /** Values per vertex, `size` numbers each, with those of the midpoints. */

@@ -45,7 +45,7 @@ import type {
 import { pointsFile, requireSameMesh } from '../input/points_file.js';
 import { inSlices, partOf, type SlicedWork } from '../base/slices.js';
 import { extended } from '../engine/subdivision.js';
-import type { Cut, Triangles } from '../base/triangles.js';
+import type { Subdivision, Triangles } from '../base/triangles.js';
 import type {
   CvtOptions,
   DistancesOptions,
@@ -78,18 +78,18 @@ export class EngineMesh implements Mesh {
   readonly density: Float64Array;
   readonly parts: readonly MeshPart[];
   readonly #object: EngineObject;
-  readonly #cut: Cut | undefined;
+  readonly #subdivision: Subdivision | undefined;
 
   constructor(
     engine: Engine,
     { handle, info, parts }: OpenedMesh,
-    { positions, indices, cut, normals, uvs, density }: Triangles,
+    { positions, indices, subdivision, normals, uvs, density }: Triangles,
   ) {
     this.info = info;
     this.positions = positions;
     this.indices = indices;
-    this.parents = cut?.parents ?? new Int32Array();
-    this.#cut = cut;
+    this.parents = subdivision?.parents ?? new Int32Array();
+    this.#subdivision = subdivision;
     this.normals = normals;
     this.uvs = uvs;
     this.density = density;
@@ -161,10 +161,11 @@ export class EngineMesh implements Mesh {
     signal?.throwIfAborted();
     const file = pointsFile(json);
     const given = toPoints('points', file.points);
-    const cut = this.#cut;
-    if (cut && 3 * (file.faces ?? 0) === cut.whole.length && 'face' in given) {
-      await inSlices(onSurface(given, cut.whole.length / 3), { signal });
-      return (await imported(import('./points_on_parts.js'))).pointsOnParts(given, cut);
+    const subdivision = this.#subdivision;
+    if (subdivision && 3 * (file.faces ?? 0) === subdivision.whole.length && 'face' in given) {
+      await inSlices(onSurface(given, subdivision.whole.length / 3), { signal });
+      const { pointsOnChildren } = await imported(import('./points_on_children.js'));
+      return pointsOnChildren(given, subdivision);
     }
     requireSameMesh(file, this.info);
     const points = await this.#object.onSurface(given, { signal });
@@ -314,8 +315,8 @@ export class EngineMesh implements Mesh {
   /** The density per vertex. */
   async #densityOf(given: GivenDensity, signal: AbortSignal | undefined): Promise<Float64Array> {
     if (given === 'curvature') return this.curvatureDensity({ signal });
-    const cut = this.#cut;
-    return cut && given.length === cut.vertexCount ? extended(given, 1, cut.ends) : given;
+    const { vertexCount, ends } = this.#subdivision ?? {};
+    return ends && given.length === vertexCount ? extended(given, 1, ends) : given;
   }
 
   dispose(): void {

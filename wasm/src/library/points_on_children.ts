@@ -1,43 +1,46 @@
 // SPDX-License-Identifier: MIT
 //
-// Points moved from triangles to the smaller ones that these were cut into. Not by their places in
-// space: where surfaces touch, other triangles are there, too.
+// Points moved from triangles to the smaller ones that these were subdivided into. Not by their
+// places in space: where surfaces touch, other triangles are there, too.
 
 import type { SurfacePoints } from '../api/results.js';
-import type { Cut } from '../base/triangles.js';
-import { firstPartOf } from '../engine/subdivision.js';
+import type { Subdivision } from '../base/triangles.js';
+import { firstChildOf } from '../engine/subdivision.js';
 
 type Vector = [number, number, number];
 
-/** A part of a triangle. */
-interface Part {
+/** One of the smaller triangles. */
+interface Child {
   face: number;
-  /** The matrix from coordinates in the triangle to those in the part. */
+  /** The matrix from coordinates in the triangle to those in the child. */
   rows: [Vector, Vector, Vector];
 }
 
-/** Each point in the part that it is the farthest inside of. Labels without a site keep face -1. */
-export function pointsOnParts(points: SurfacePoints, cut: Cut): SurfacePoints {
-  const partsOf = new Map<number, Part[]>();
+/** Each point in the child that it is the farthest inside of. Labels without a site keep face -1. */
+export function pointsOnChildren(points: SurfacePoints, subdivision: Subdivision): SurfacePoints {
+  const childrenOf = new Map<number, Child[]>();
   const found = { face: points.face.slice(), bary: points.bary.slice() };
   for (const [i, face] of points.face.entries()) {
-    const parts = partsOf.get(face) ?? partsOfTriangle(face, cut);
-    partsOf.set(face, parts);
+    const children = childrenOf.get(face) ?? childrenOfTriangle(face, subdivision);
+    childrenOf.set(face, children);
     const [x, y, z] = points.bary.subarray(3 * i, 3 * i + 3);
     let deepest = -Infinity;
-    for (const part of parts) {
-      const bary = part.rows.map((row) => row[0] * x + row[1] * y + row[2] * z);
+    for (const child of children) {
+      const bary = child.rows.map((row) => row[0] * x + row[1] * y + row[2] * z);
       const depth = Math.min(...bary);
       if (!(depth > deepest)) continue;
       deepest = depth;
-      found.face[i] = part.face;
+      found.face[i] = child.face;
       found.bary.set(bary, 3 * i);
     }
   }
   return found;
 }
 
-function partsOfTriangle(face: number, { whole, vertexCount, indices, parents, ends }: Cut) {
+function childrenOfTriangle(
+  face: number,
+  { whole, vertexCount, indices, parents, ends }: Subdivision,
+): Child[] {
   const coordinates = new Map<number, Vector>([
     [whole[3 * face], [1, 0, 0]],
     [whole[3 * face + 1], [0, 1, 0]],
@@ -52,14 +55,14 @@ function partsOfTriangle(face: number, { whole, vertexCount, indices, parents, e
     coordinates.set(vertex, middle);
     return middle;
   };
-  const parts: Part[] = [];
-  for (let t = firstPartOf(face, parents); parents[t] === face; ++t) {
+  const children: Child[] = [];
+  for (let t = firstChildOf(face, parents); parents[t] === face; ++t) {
     const [a, b, c] = [0, 1, 2].map((k) => coordinatesOf(indices[3 * t + k]));
     const area = dot(a, cross(b, c)); // of the triangle, the whole of which is 1
     const row = (u: Vector, v: Vector) => cross(u, v).map((w) => w / area) as Vector;
-    parts.push({ face: t, rows: [row(b, c), row(c, a), row(a, b)] });
+    children.push({ face: t, rows: [row(b, c), row(c, a), row(a, b)] });
   }
-  return parts;
+  return children;
 }
 
 function dot(u: Vector, v: Vector): number {
