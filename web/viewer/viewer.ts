@@ -20,7 +20,7 @@ import { PageScrolling } from './tools/page_scrolling.js';
 import type { DrawnPixels } from './stage/picture_file.js';
 import { PointerGestures } from './tools/pointer_gestures.js';
 import { Session } from './session/session.js';
-import type { Drawable, SessionListener } from './session/session_listener.js';
+import type { DrawingUpdate, SessionListener } from './session/session_listener.js';
 import { factsOf, type ShownDiagram } from './session/shown_diagram.js';
 import type { PointList, Site, SitePlace } from './session/site_history.js';
 import { SiteSelection } from './tools/site_selection.js';
@@ -310,14 +310,14 @@ export class Viewer implements Workpiece {
         if (this.#model) this.#model.paint.tints = tints;
         this.#adoptDensity();
       },
-      diagramChanged: (shown, milliseconds, how) => {
+      diagramChanged: (shown, milliseconds, update) => {
         if (!this.session.sampling.isRunning) this.attributes.keep(samplingAttributes);
-        this.#showDiagram(shown, how);
+        this.#showDiagram(shown, update);
         this.#emit('diagram', factsOf(shown, milliseconds));
       },
       cvtRested: (shown, milliseconds) => this.#emit('diagram', factsOf(shown, milliseconds)),
-      cvtIterated: (shown, { iteration, energy, largestMove }, how) => {
-        this.#showDiagram(shown, how);
+      cvtIterated: (shown, { iteration, energy, largestMove }, update) => {
+        this.#showDiagram(shown, update);
         const least =
           shown.summary && hexagonEnergy(shown.summary, this.#model?.density?.rootIntegral);
         const relativeEnergy = energy / (least ?? NaN);
@@ -397,7 +397,7 @@ export class Viewer implements Workpiece {
     }
   }
 
-  #showDiagram(shown: ShownDiagram, { changes, prepared }: Drawable): void {
+  #showDiagram(shown: ShownDiagram, { changes, prepared }: DrawingUpdate): void {
     const { diagram, summary, sites } = shown;
     const drawing = this.#model?.drawing;
     if (changes && diagram && summary)

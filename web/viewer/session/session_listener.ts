@@ -18,8 +18,8 @@ export type Status = 'empty' | 'loading' | 'computing' | 'iterating' | 'ready' |
  */
 export type CvtStatus = 'idle' | 'running' | 'paused' | 'done';
 
-/** Data that help to draw a diagram. */
-export interface Drawable {
+/** How the drawing comes to a diagram: from the one before by changes, or from all of its geometry. */
+export interface DrawingUpdate {
   /** The changes that led from the diagram drawn before to this one. */
   changes?: readonly DiagramChange[];
   /** The geometry of the whole diagram; undefined without sites. */
@@ -32,9 +32,9 @@ export interface SessionListener {
   sitesChanged(): void;
   /** The density changed by undoing or redoing, or after a failure. */
   densityChanged(tints: Tints): void;
-  diagramChanged(shown: ShownDiagram, milliseconds: number, how: Drawable): void;
+  diagramChanged(shown: ShownDiagram, milliseconds: number, update: DrawingUpdate): void;
   /** Sites and diagram are now those of an iteration. */
-  cvtIterated(shown: ShownDiagram, state: CvtState, how: Drawable): void;
+  cvtIterated(shown: ShownDiagram, state: CvtState, update: DrawingUpdate): void;
   /** Iterations have paused: the last one shown is now the diagram, like any other. */
   cvtRested(shown: ShownDiagram, milliseconds: number): void;
   cvtStatusChanged(status: CvtStatus): void;
