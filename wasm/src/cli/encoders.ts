@@ -27,6 +27,7 @@ import {
   polygonStl,
 } from '../output/polygon_formats.js';
 import { ply, type PlyColumns } from '../output/ply.js';
+import { textOf } from '../output/text.js';
 import type {
   Distances,
   Located,
@@ -84,7 +85,7 @@ export function isJsonReport(target: Target): boolean {
   throw unknownEnding(target, ['.json', '.txt']);
 }
 
-const text = (json: object): string => `${JSON.stringify(json)}\n`;
+const text = (json: object): string => textOf(() => `${JSON.stringify(json)}\n`);
 
 /** A table: a line of names, then one of numbers for each row; nothing for what is not finite. */
 function csv(columns: { [name: string]: ArrayLike<number> }): string {

@@ -6,6 +6,7 @@ import { isObject, toResult } from '../base/checks.js';
 import { listAt } from '../base/lists.js';
 import { toFileOptions, type FileOptions, type JsonOptions } from './file_options.js';
 import { emptyGlb, GlbBuilder } from './glb.js';
+import { textOf } from './text.js';
 import {
   lengthsJson,
   placedPointsJson,
@@ -142,7 +143,7 @@ export function diagramObj(
     const chain = Array.from(listAt(arcs, i), (point) => number[point] + 1);
     lines.push(`g bisector_${left}_${right}`, `l ${chain.join(' ')}`);
   }
-  return `${lines.join('\n')}\n`;
+  return textOf(() => `${lines.join('\n')}\n`);
 }
 
 /** The bisectors as GLB: one primitive of line segments. */

@@ -23,6 +23,7 @@ import {
 } from './json_forms.js';
 import { GlbBuilder } from './glb.js';
 import { ply } from './ply.js';
+import { textOf } from './text.js';
 import type { Distances, SurfacePath, VertexDistances } from '../api/results.js';
 import { counted, integer } from '../base/sentences.js';
 
@@ -178,7 +179,7 @@ export function pathsObj(
     const element = face.length > 1 ? 'l' : 'p';
     lines.push(`g path_${i}`, `${element} ${Array.from(face, () => ++count).join(' ')}`);
   });
-  return `${lines.join('\n')}\n`;
+  return textOf(() => `${lines.join('\n')}\n`);
 }
 
 /** Paths, of which one may be given without a list. */

@@ -28,6 +28,7 @@ import { emptyGlb, GlbBuilder } from './glb.js';
 import { ply } from './ply.js';
 import type { Partition, SurfacePoints } from '../api/results.js';
 import { stl } from './stl.js';
+import { textOf } from './text.js';
 import { counted } from '../base/sentences.js';
 
 export interface PartitionColourOptions extends SurfaceFileOptions {
@@ -243,7 +244,7 @@ export function partitionObj(partition: Partition, options?: SurfaceFileOptions)
     for (let t = first; t < last; ++t)
       lines.push(`f ${corner(3 * t)} ${corner(3 * t + 1)} ${corner(3 * t + 2)}`);
   }
-  return `# Regions of a geodesic Voronoi diagram\n${lines.join('\n')}\n`;
+  return textOf(() => `# Regions of a geodesic Voronoi diagram\n${lines.join('\n')}\n`);
 }
 
 /** Every face with its label, -1 where no site reaches, and the colour of its region. */

@@ -22,6 +22,7 @@ import { emptyGlb, GlbBuilder } from './glb.js';
 import { ply, type PlyColumns } from './ply.js';
 import type { PolygonMesh, PolygonTopology } from '../api/results.js';
 import { stl } from './stl.js';
+import { textOf } from './text.js';
 
 /** The JSON form of a polygon mesh; `vertexLabel` of a dual, `faceLabel` of regions. */
 export interface PolygonMeshJson extends LengthsJson {
@@ -77,7 +78,7 @@ export function polygonObj(polygons: PolygonMesh, options?: SurfaceFileOptions):
       `f ${Array.from(listAt(faces, f), (point) => objCorner(vertices, point, point)).join(' ')}`,
     );
   }
-  return `# Polygons of a geodesic Voronoi diagram\n${lines.join('\n')}\n`;
+  return textOf(() => `# Polygons of a geodesic Voronoi diagram\n${lines.join('\n')}\n`);
 }
 
 /** Polygons; with the region of each vertex of a dual, or of each face that is a region. */
