@@ -150,12 +150,13 @@ test('the material of a model that is gone by the time is freed', async () => {
       invalidate() {},
       async compile({ children: [part] }) {
         part.geometry.addEventListener('dispose', () => ++freed);
-        place.model = undefined;
+        layer.dispose();
       },
     },
   };
   const events = [];
-  await new OriginalLayer(place, (type) => events.push(type)).update();
+  const layer = new OriginalLayer(place, (type) => events.push(type));
+  await layer.update();
   assert.equal(freed, 1);
   assert.deepEqual(events, []);
 });
