@@ -34,7 +34,8 @@ bool OwnerFinding::step(long& budget) {
       [&] { return markFinal(change_.resumed, budget); },
       [&] { return change_.startsAll ? affectAll(budget) : findAffected(budget); },
       [&](SlicedLoop& loop) {
-        return loop.runWeighted(changedVertices_.size(), budget, kLabelsPerUnit,
+        return change_.startsAll ||
+               loop.runWeighted(changedVertices_.size(), budget, kLabelsPerUnit,
                                 [&](int i) { return findTies(changedVertices_.list()[i]); });
       },
       forEach(affectedFaces_.list(), budget, kQuickRounds,
