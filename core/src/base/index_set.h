@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -32,8 +33,11 @@ class IndexSet {
   bool addAll(long& budget) {
     constexpr long kIndicesPerUnit = 128;
     list_.reserve(isIn_.size());
-    const std::size_t end = endOfSlice(list_.size(), isIn_.size(), budget, kIndicesPerUnit);
-    while (list_.size() < end) add(size());
+    const std::size_t begin = list_.size();
+    const std::size_t end = endOfSlice(begin, isIn_.size(), budget, kIndicesPerUnit);
+    list_.resize(end);
+    std::iota(list_.begin() + begin, list_.end(), static_cast<int>(begin));
+    std::fill(isIn_.begin() + begin, isIn_.begin() + end, true);
     return end == isIn_.size();
   }
   /// Empties the set, in time proportional to its size.

@@ -2,6 +2,7 @@
 #include "distance/face_owners.h"
 
 #include <algorithm>
+#include <array>
 
 namespace gvd {
 
@@ -14,10 +15,10 @@ bool FaceOwners::has(int face, int label) const {
 
 void FaceOwners::reset(int face, std::vector<Requirement>& required) {
   several_.clear(face);
-  const auto ownerAt = [&](int corner) { return bounds_[mesh_.tail(3 * face + corner)].label; };
-  sole_[face] = ownerAt(0);
-  for (int i = 1; i < 3; ++i)
-    if (ownerAt(i) >= 0) add(face, ownerAt(i), false, required);
+  const std::array<int, 3>& corners = mesh_.face(face).vertices;
+  sole_[face] = bounds_[corners[0]].label;
+  for (const int v : {corners[1], corners[2]})
+    if (bounds_[v].label >= 0) add(face, bounds_[v].label, false, required);
   for (const FaceSite& site : sites_.inFace(face)) add(face, site.label, false, required);
 }
 
