@@ -76,7 +76,8 @@ void UnfoldingSweep::startInFace(const SurfacePoint& site, const Vector2d& first
 bool UnfoldingSweep::step(long& budget) {
   while (queue_.advance()) {
     if (budget <= 0) return false;
-    if (const auto next = queue_.ahead(kAhead)) prefetchFan(mesh_, *next);
+    if (const auto next = queue_.ahead(kAhead); next && vertices_[*next].isQueued)
+      prefetchFan(mesh_, *next);
     const int v = queue_.take();
     if (!std::exchange(vertices_[v].isQueued, false)) continue;
     --budget;
