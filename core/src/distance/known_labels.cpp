@@ -59,7 +59,8 @@ bool KnownLabels::step(long& budget) {
       [&](SlicedLoop& loop) {
         return change_.startsAll ? allotLists(budget) : clearLists(loop, budget);
       },
-      [&] { listed_ = atChanged_.sorted(); }, [&] { return listLabels(budget); },
+      [&] { listed_ = change_.startsAll ? change_.started : atChanged_.sorted(); },
+      [&] { return listLabels(budget); },
       forEach(changed, budget, kQuickRounds, [&](int i) { lists_.equalizeTies(changed[i]); }),
       // 4. Closure.
       [&] { return closure_.step(budget); },

@@ -93,7 +93,7 @@ class KnownLabels {
   std::vector<int> changedLabels_;
   std::vector<int> roomAt_;  ///< per vertex, the number of labels that come to it
   IndexSet atChanged_{0};    ///< labels at changed vertices, before and after the change
-  std::vector<int> listed_;  ///< those that may go into the lists, ascending
+  std::vector<int> listed_;  ///< those that may go into the lists
 };
 
 }  // namespace gvd
