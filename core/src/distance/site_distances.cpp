@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "distance/site_distances.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -19,6 +20,17 @@ std::unique_ptr<LabelSpread> makeSpread(const TriangleMesh& mesh, Metric metric,
                                         const SiteSet& sites, NearestBounds& bounds) {
   if (metric == Metric::kDgpc) return std::make_unique<dgpc::UnfoldingSpread>(mesh, sites, bounds);
   return std::make_unique<exact::WindowSpread>(mesh, sites, bounds);
+}
+
+/// The place of a point on a curve through a cube that passes through each of its eighths in turn,
+/// and so on in these (Morton order). `p` has coordinates from 0 to 1.
+int placeOnCurve(const Eigen::Vector3d& p) {
+  constexpr int kBits = 10;
+  const Eigen::Vector3i cell = (p * ((1 << kBits) - 1)).cast<int>();
+  int place = 0;
+  for (int bit = kBits - 1; bit >= 0; --bit)
+    for (const int coordinate : cell) place = place << 1 | (coordinate >> bit & 1);
+  return place;
 }
 
 std::vector<SiteChange> insertionsOf(std::span<const SurfacePoint> sites) {
@@ -168,8 +180,13 @@ double SiteDistances::progress() const {
 /// Puts neighbouring labels in succession, so that the memory they touch is still in the cache.
 /// Labels that start do not resume, too.
 void SiteDistances::orderLabels() {
+  Eigen::AlignedBox3d box;
+  for (const int label : change_.started) box.extend(mesh_.position(sites_[label]));
   std::vector<KeyedItem> places;
-  for (const int label : change_.started) places.push_back({sites_[label].face, label, label});
+  for (const int label : change_.started) {
+    const Eigen::Vector3d fromLeast = mesh_.position(sites_[label]) - box.min();
+    places.push_back({placeOnCurve(fromLeast / mesh_.boundingDiagonal()), label, label});
+  }
   std::sort(places.begin(), places.end());
   std::transform(places.begin(), places.end(), change_.started.begin(),
                  [](const KeyedItem& place) { return place.back(); });
