@@ -20,7 +20,7 @@ export type ErrorCode =
   | 'too-few-sites'
   /** The object has been disposed, or the library that it belongs to. */
   | 'disposed'
-  /** There is not enough memory; the library is still usable, but for a diagram that was to change. */
+  /** There is not enough memory. The library is still usable; a diagram that was to change is disposed. */
   | 'out-of-memory'
   /** A WebAssembly module, the worker or another script of the library cannot be loaded. */
   | 'load-failed'

@@ -63,7 +63,7 @@ export function* readTextStl(bytes: Uint8Array, limits: SizeLimits): SlicedWork<
   }
   if (corners >= 0) throw words.fault('the STL is truncated: it ends within a triangle');
   if (positions.length === 0)
-    throw invalidFile('the STL has no triangles: each statement needs a line of its own');
+    throw invalidFile('the STL has no triangles (each statement needs a line of its own)');
   return yield* modelOf(yield* positions.take());
 }
 
