@@ -24,10 +24,18 @@ struct BisectorGraph {
   /// A point where bisectors meet or cross a side, or a node that is a corner of a cell or of an
   /// outline on the mesh boundary.
   struct Point {
-    std::array<int, 3> labels;  ///< of the regions that meet here, -1 for none; a node has none
-    std::array<int, 3> darts;   ///< per label, the first dart added here, -1 for none
-    int side;  ///< that it is on: the lower of the two halfedges there; -1 for none
-    int next;  ///< in the list of the side's element (`ElementPoints`), -1 for none
+    static constexpr int kNode = -1, kInside = -2;
+
+    int side;    ///< that it is on: the lower of the two halfedges there; else `kNode`, `kInside`
+    int next;    ///< in the list of the side's element (`ElementPoints`), -1 for none
+    int before;  ///< on a side: the label of the region that ends here, going along that halfedge
+    /// On a side: the first segment that ends here, -1 for none. Inside: the index in `inner`.
+    int index;
+  };
+  /// What belongs to an inner point, where three regions meet.
+  struct InnerPoint {
+    std::array<int, 3> labels;             ///< counterclockwise
+    std::array<int, 3> darts{-1, -1, -1};  ///< per label, the first dart added here, -1 for none
   };
   /// A point on the mesh boundary where, going forward, the region `before` ends and `after`
   /// begins; `start` is where its element's part of the halfedge begins.
@@ -40,6 +48,7 @@ struct BisectorGraph {
 
   std::vector<Point> points;
   std::vector<SurfacePoint> places;  ///< per point
+  std::vector<InnerPoint> inner;
   DisjointSets merging;
   std::vector<int> mergedFaces;  ///< faces with merged points, with repetitions
 
@@ -54,17 +63,27 @@ struct BisectorGraph {
   int labelOf(int dart) const { return segments[dart >> 1].labels[dart & 1]; }
   int tail(int dart) const { return segments[dart >> 1].points[dart & 1]; }
   int tip(int dart) const { return segments[dart >> 1].points[~dart & 1]; }
-  bool isNode(int point) const { return points[point].labels[0] < 0; }
-  /// Whether three regions meet at a point.
-  bool isInner(int point) const { return points[point].labels[2] >= 0; }
-  int& dartAt(int point, int label) {
-    Point& p = points[point];
+  bool isNode(int point) const { return points[point].side == Point::kNode; }
+  bool isInner(int point) const { return points[point].side == Point::kInside; }
+  /// The first dart of a region that was added at an inner point, -1 for none.
+  int& innerDart(int point, int label) {
+    InnerPoint& p = inner[points[point].index];
     return p.darts[p.labels[0] == label ? 0 : p.labels[1] == label ? 1 : 2];
   }
+  /// The dart of a region at a point on the mesh boundary, -1 if there is none.
+  int dartAt(int point, int label) const {
+    const int dart = 2 * points[point].index;
+    return labelOf(dart) == label ? dart : labelOf(dart + 1) == label ? dart + 1 : -1;
+  }
 
-  int addPoint(int face, const Eigen::Vector3d& bary, int labelA, int labelB, int labelC);
+  /// `side`, `before` and `index` as in `Point`.
+  int addPoint(int face, const Eigen::Vector3d& bary, int side, int before = -1, int index = -1);
+  int addInner(int face, const Eigen::Vector3d& bary, const std::array<int, 3>& labels) {
+    inner.push_back({labels});
+    return addPoint(face, bary, Point::kInside, -1, static_cast<int>(inner.size()) - 1);
+  }
   /// A point with the place of a node.
-  int addNode(int face, const Eigen::Vector3d& bary) { return addPoint(face, bary, -1, -1, -1); }
+  int addNode(int face, const Eigen::Vector3d& bary) { return addPoint(face, bary, Point::kNode); }
   void addSegment(int from, int to, int left, int right, int face);
   /// Makes a cell of the points added to `cells` since the last one.
   void closeCell(int face, int label) {
@@ -107,14 +126,13 @@ class NodePoints {
 // The functions below write number by number. The numbers are still in registers; assembling a
 // struct first and copying it in larger pieces would have to wait for memory.
 
-inline int BisectorGraph::addPoint(int face, const Eigen::Vector3d& bary, int labelA, int labelB,
-                                   int labelC) {
+inline int BisectorGraph::addPoint(int face, const Eigen::Vector3d& bary, int side, int before,
+                                   int index) {
   Point& point = points.emplace_back();
-  point.labels[0] = labelA;
-  point.labels[1] = labelB;
-  point.labels[2] = labelC;
-  for (int i = 0; i < 3; ++i) point.darts[i] = -1;
-  point.side = point.next = -1;
+  point.side = side;
+  point.next = -1;
+  point.before = before;
+  point.index = index;
   SurfacePoint& place = places.emplace_back();
   place.face = face;
   for (int i = 0; i < 3; ++i) place.bary[i] = bary[i];

@@ -45,6 +45,7 @@ void BisectorTracing::reserve() {
   const size_t cells = 5 * mixed / 2 + atSites + complex_.partialCount();  // about as many points
   graph_.points.reserve(cells);
   graph_.places.reserve(cells);
+  graph_.inner.reserve(atSites / 3);
   graph_.segments.reserve(5 * mixed / 4 + atSites);
   graph_.nextDart.reserve(5 * mixed / 2 + 2 * atSites);
   graph_.cells.offset.reserve(cells + 1);
@@ -175,13 +176,54 @@ double BisectorTracing::addCell(int element, const FaceEnvelope::Cell& cell) {
 /// `tail` and `tip` are vertices of the envelope.
 void BisectorTracing::addSegment(int element, int tail, int tip, int left, int right) {
   const int from = placed_[tail].point, to = placed_[tip].point;
-  const int dart = 2 * static_cast<int>(graph_.segments.size());
+  const int segment = static_cast<int>(graph_.segments.size()), dart = 2 * segment;
   graph_.addSegment(from, to, left, right, complex_.face(element));
-  leave(from, left, dart);
-  arrive(from, right, dart + 1);
-  arrive(to, left, dart);
-  leave(to, right, dart + 1);
+  if (graph_.isInner(from)) {
+    leave(from, left, dart);
+    arrive(from, right, dart + 1);
+  } else if (const int before = segmentAcross(from, segment); before >= 0) {
+    link(before, segment);
+  }
+  if (graph_.isInner(to)) {
+    arrive(to, left, dart);
+    leave(to, right, dart + 1);
+  } else if (const int after = segmentAcross(to, segment); after >= 0) {
+    link(segment, after);
+  }
   if (points_.overlap(envelope_, tail, tip) && mayBeOne(tail, tip)) graph_.unite(from, to);
+}
+
+/// Notes that a dart of a region leaves an inner point, and links the dart that arrives there, once
+/// both are known.
+void BisectorTracing::leave(int point, int label, int dart) {
+  int& other = graph_.innerDart(point, label);
+  if (other < 0)
+    other = dart;
+  else
+    graph_.nextDart[other] = dart;
+}
+
+void BisectorTracing::arrive(int point, int label, int dart) {
+  int& other = graph_.innerDart(point, label);
+  if (other < 0)
+    other = dart;
+  else
+    graph_.nextDart[dart] = other;
+}
+
+/// The segment across the side where a new one ends, -1 if there is none yet.
+int BisectorTracing::segmentAcross(int point, int added) {
+  int& first = graph_.points[point].index;
+  if (first >= 0) return first;
+  first = added;
+  return -1;
+}
+
+/// Links the darts of two segments of one bisector, the first of which ends where the second
+/// begins.
+void BisectorTracing::link(int first, int second) {
+  graph_.nextDart[2 * first] = 2 * second;
+  graph_.nextDart[2 * second + 1] = 2 * first + 1;
 }
 
 /// Whether the ends of a segment may be merged. Merging must not join points of two sides beside
@@ -194,24 +236,6 @@ bool BisectorTracing::mayBeOne(int tail, int tip) {
   };
   if (!isNearCorner(tail) && !isNearCorner(tip)) return true;
   return graph_.isNode(graph_.merging.root(from)) || graph_.isNode(graph_.merging.root(to));
-}
-
-/// Notes that a dart of a region leaves a point, and links the dart that arrives there, once both
-/// are known.
-void BisectorTracing::leave(int point, int label, int dart) {
-  int& other = graph_.dartAt(point, label);
-  if (other < 0)
-    other = dart;
-  else
-    graph_.nextDart[other] = dart;
-}
-
-void BisectorTracing::arrive(int point, int label, int dart) {
-  int& other = graph_.dartAt(point, label);
-  if (other < 0)
-    other = dart;
-  else
-    graph_.nextDart[dart] = other;
 }
 
 /// Adds the corners of smaller elements along a side without twin to a cell. One label owns all of

@@ -41,9 +41,11 @@ class BisectorTracing {
   void addUnmatchedSide(int element, int side, int vertex);
   void addBoundaryPoint(int h, int vertex);
   void addSegment(int element, int tail, int tip, int left, int right);
-  bool mayBeOne(int tail, int tip);
   void leave(int point, int label, int dart);
   void arrive(int point, int label, int dart);
+  int segmentAcross(int point, int added);
+  void link(int first, int second);
+  bool mayBeOne(int tail, int tip);
 
   const TriangleMesh& mesh_;
   FaceComplex& complex_;

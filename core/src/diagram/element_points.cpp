@@ -155,8 +155,9 @@ void ElementPoints::tellApartInnerPoints(int face, std::span<const Vertex> verti
 
 int ElementPoints::addInside(int element, const FaceEnvelope& envelope, const Vertex& v,
                              const Eigen::Vector3d& bary) {
-  return graph_.addPoint(complex_.face(element), bary, envelope.label(v.functions[0]),
-                         envelope.label(v.functions[1]), envelope.label(v.functions[2]));
+  return graph_.addInner(complex_.face(element), bary,
+                         {envelope.label(v.functions[0]), envelope.label(v.functions[1]),
+                          envelope.label(v.functions[2])});
 }
 
 int ElementPoints::atNode(int element, int node, const Eigen::Vector3d& bary) {
@@ -166,19 +167,13 @@ int ElementPoints::atNode(int element, int node, const Eigen::Vector3d& bary) {
 /// Returns the point of the neighbour element if that has made it already.
 int ElementPoints::makeOnSide(int element, const FaceEnvelope& envelope, const Vertex& v,
                               const Eigen::Vector3d& bary) {
-  const int a = envelope.label(v.functions[0]), b = envelope.label(v.functions[1]);
   const int h = 3 * element + v.place, twin = complex_.twin(element, v.place);
   const int side = twin < 0 ? h : std::min(h, twin);
+  const int before = envelope.label(v.functions[side == h ? 0 : 1]);
   int& first = firstPoint_[side / 3];
-  for (int p = first; p >= 0; p = graph_.points[p].next) {
-    const BisectorGraph::Point& other = graph_.points[p];
-    const auto& labels = other.labels;
-    if (other.side == side &&
-        ((labels[0] == a && labels[1] == b) || (labels[0] == b && labels[1] == a)))
-      return p;
-  }
-  const int point = graph_.addPoint(complex_.face(element), bary, a, b, -1);
-  graph_.points[point].side = side;
+  for (int p = first; p >= 0; p = graph_.points[p].next)
+    if (graph_.points[p].side == side && graph_.points[p].before == before) return p;
+  const int point = graph_.addPoint(complex_.face(element), bary, side, before);
   graph_.points[point].next = std::exchange(first, point);
   mergeOnSide(element, envelope, v, point, bary);
   return point;

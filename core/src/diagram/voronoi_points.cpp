@@ -13,9 +13,7 @@ bool VoronoiPoints::step(long& budget) {
   constexpr long kPointsPerUnit = 8;
   const int merged = graph_.merging.limit();
   return sequence_.run(
-      [&] {  // on a sphere, there are about two Voronoi points per site
-        out_.voronoiPoints.reserve(std::min(size_t{2} * out_.siteCount, graph_.points.size()));
-      },
+      [&] { out_.voronoiPoints.reserve(graph_.inner.size()); },
       [&] { return merged == 0 || fillInSlices(isOnOutline_, graph_.points.size(), '\0', budget); },
       forEach(merged == 0 ? 0 : outlines_.size(), budget, 1, [&](int o) { collectSectors(o); }),
       [&] {
@@ -24,10 +22,12 @@ bool VoronoiPoints::step(long& budget) {
             budget);
       },
       forEach(graph_.points, budget, kPointsPerUnit, [&](int p) {
-        if (graph_.merging.isMerged(p))
+        if (graph_.merging.isMerged(p)) {
           addMerged(p);
-        else if (graph_.merging.isRoot(p) && graph_.isInner(p) && isOnOutline(p))
-          add(p, {graph_.points[p].labels.begin(), graph_.points[p].labels.end()});
+        } else if (graph_.isInner(p) && graph_.merging.isRoot(p) && isOnOutline(p)) {
+          const auto& labels = graph_.inner[graph_.points[p].index].labels;
+          add(p, {labels.begin(), labels.end()});
+        }
       }));
 }
 
