@@ -145,6 +145,7 @@ long BisectorTracing::divide(int element) {
     cellAreas_.push_back(addCell(element, cell));
     graph_.closeCell(face, envelope_.label(cell.function));
   }
+  for (const FaceEnvelope::Segment& segment : envelope_.segments()) addSegment(element, segment);
   addAreas(mesh_.faceArea(face));
   return static_cast<long>(functions.size() * envelope_.cells().size() / kQuickRounds);
 }
@@ -153,29 +154,25 @@ long BisectorTracing::divide(int element) {
 
 /// Returns its area as a share of the face.
 double BisectorTracing::addCell(int element, const FaceEnvelope::Cell& cell) {
-  const std::span<const FaceEnvelope::CellSide> sides = cell.sides;
-  const int first = sides.front().vertex;
-  double area = 0;
-  for (size_t i = 0; i < sides.size(); ++i) {
-    const auto [vertex, across] = sides[i];
-    const bool isLast = i + 1 == sides.size();
-    const int next = isLast ? first : sides[i + 1].vertex;
+  const std::span<const FaceEnvelope::CellSide> sides = envelope_.sides(cell);
+  const bool hasAllTwins = complex_.hasAllTwins(element);
+  for (const auto& [vertex, across] : sides) {
     graph_.cells.points.push_back(placed_[vertex].point);
-    if (i > 0 && !isLast)
-      area += areaShare(placed_[first].bary, placed_[vertex].bary, placed_[next].bary);
-    if (across > cell.function) {
-      addSegment(element, vertex, next, envelope_.label(cell.function), envelope_.label(across));
-    } else if (FaceEnvelope::isTriangleSide(across)) {
-      const int side = FaceEnvelope::triangleSide(across);
-      if (complex_.twin(element, side) < 0) addUnmatchedSide(element, side, vertex);
-    }
+    if (hasAllTwins || !FaceEnvelope::isTriangleSide(across)) continue;
+    const int side = FaceEnvelope::triangleSide(across);
+    if (complex_.twin(element, side) < 0) addUnmatchedSide(element, side, vertex);
   }
+  double area = 0;
+  const auto bary = [&](size_t i) -> const Eigen::Vector3d& {
+    return placed_[sides[i].vertex].bary;
+  };
+  for (size_t i = 2; i < sides.size(); ++i) area += areaShare(bary(0), bary(i - 1), bary(i));
   return area;
 }
 
-/// `tail` and `tip` are vertices of the envelope.
-void BisectorTracing::addSegment(int element, int tail, int tip, int left, int right) {
-  const int from = placed_[tail].point, to = placed_[tip].point;
+void BisectorTracing::addSegment(int element, const FaceEnvelope::Segment& added) {
+  const int left = envelope_.label(added.left), right = envelope_.label(added.right);
+  const int from = placed_[added.tail].point, to = placed_[added.tip].point;
   const int segment = static_cast<int>(graph_.segments.size()), dart = 2 * segment;
   graph_.addSegment(from, to, left, right, complex_.face(element));
   if (graph_.isInner(from)) {
@@ -190,7 +187,8 @@ void BisectorTracing::addSegment(int element, int tail, int tip, int left, int r
   } else if (const int after = segmentAcross(to, segment); after >= 0) {
     link(segment, after);
   }
-  if (points_.overlap(envelope_, tail, tip) && mayBeOne(tail, tip)) graph_.unite(from, to);
+  if (points_.overlap(envelope_, added.tail, added.tip) && mayBeOne(added.tail, added.tip))
+    graph_.unite(from, to);
 }
 
 /// Notes that a dart of a region leaves an inner point, and links the dart that arrives there, once

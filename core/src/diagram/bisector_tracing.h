@@ -40,7 +40,7 @@ class BisectorTracing {
   void addAreas(double faceArea);
   void addUnmatchedSide(int element, int side, int vertex);
   void addBoundaryPoint(int h, int vertex);
-  void addSegment(int element, int tail, int tip, int left, int right);
+  void addSegment(int element, const FaceEnvelope::Segment& added);
   void leave(int point, int label, int dart);
   void arrive(int point, int label, int dart);
   int segmentAcross(int point, int added);

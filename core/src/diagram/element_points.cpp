@@ -78,22 +78,21 @@ std::span<const ElementPoints::PlacedVertex> ElementPoints::of(int element,
     placed_[i].bary = complex_.faceBary(element, Eigen::Vector3d::Unit(i));
   const bool isFace = complex_.isFace(element);
   bool hasInnerPoint = false;
-  for (const FaceEnvelope::Cell& cell : envelope.cells())
-    for (const auto& [vertex, across] : cell.sides) {
-      PlacedVertex& placed = placed_[vertex];
-      if (placed.point >= 0) continue;
-      if (vertex < 3) {
-        placed.point = atNode(element, complex_.nodesOf(element)[vertex], placed.bary);
-        continue;
-      }
-      const Vertex& v = vertices[vertex];
-      const bool isInside = v.kind == Vertex::kInside;
-      envelope.setBary(v, placed.bary);
-      if (!isFace) placed.bary = complex_.faceBary(element, placed.bary);
-      placed.point = isInside ? addInside(element, envelope, v, placed.bary)
-                              : makeOnSide(element, envelope, v, placed.bary);
-      hasInnerPoint |= isInside;
+  for (const auto& [vertex, across] : envelope.sides()) {
+    PlacedVertex& placed = placed_[vertex];
+    if (placed.point >= 0) continue;
+    if (vertex < 3) {
+      placed.point = atNode(element, complex_.nodesOf(element)[vertex], placed.bary);
+      continue;
     }
+    const Vertex& v = vertices[vertex];
+    const bool isInside = v.kind == Vertex::kInside;
+    envelope.setBary(v, placed.bary);
+    if (!isFace) placed.bary = complex_.faceBary(element, placed.bary);
+    placed.point = isInside ? addInside(element, envelope, v, placed.bary)
+                            : makeOnSide(element, envelope, v, placed.bary);
+    hasInnerPoint |= isInside;
+  }
   if (hasInnerPoint && areNear(vertices)) tellApartInnerPoints(complex_.face(element), vertices);
   return placed_;
 }

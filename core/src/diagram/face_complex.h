@@ -36,6 +36,10 @@ class FaceComplex {
   int twin(int element, int side) const {
     return hasOwnElements_ ? twins_[3 * element + side] : mesh_.face(element).twins[side];
   }
+  /// Whether all three sides of an element have a twin.
+  bool hasAllTwins(int element) const {
+    return (twin(element, 0) | twin(element, 1) | twin(element, 2)) >= 0;
+  }
   /// The mesh's boundary halfedge that a halfedge is part of, -1 if none.
   int boundaryHalfedge(int h) const {
     const int side = hasOwnElements_ ? elements_.meshHalfedge(h) : h;

@@ -49,7 +49,9 @@ void FaceEnvelope::compute(std::span<const LabelFunction> functions) {
   while (f < count && !cutTriangle(f)) ++f;
   for (++f; f < count && !isBelowCut(f);) ++f;
   buildCut();
+  if (f >= count) return;
   for (; f < count; ++f) insert(f);
+  findSegments();
 }
 
 /// Updates `cut_` by f while one function, `cut_.low`, has all of the triangle: f may replace it,
@@ -82,25 +84,41 @@ bool FaceEnvelope::isBelowCut(int f) const {
 /// Turns `cut_` into lists: walks around the triangle and adds each corner and crossing to the
 /// cells that have it.
 void FaceEnvelope::buildCut() {
-  if (cells_.size() < 2) cells_.resize(2);
-  cellCount_ = cut_.high < 0 ? 1 : 2;
-  cells_[0].function = cut_.low;
-  cells_[1].function = cut_.high;
-  std::vector<CellSide>&low = cells_[0].sides, &high = cells_[1].sides;
-  low.clear();
-  high.clear();
-  vertices_.clear();
-  for (int i = 0; i < 3; ++i)
-    vertices_.push_back({Vertex::kCorner, i, {cut_.functionAt(i), -1, -1}});
+  const bool isCut = cut_.high >= 0;
+  const auto [low, high, isHigh] = cut_;
+  const int ofLow = isCut ? 5 - isHigh[0] - isHigh[1] - isHigh[2] : 3;  // sides
+  vertices_.resize(isCut ? 5 : 3);
+  sides_.resize(isCut ? 7 : 3);
+  cells_.resize(isCut ? 2 : 1);
+  segments_.resize(isCut ? 1 : 0);
+  std::array<CellSide*, 2> next = {sides_.data(), sides_.data() + ofLow};
+  int crossing = 3;
   for (int i = 0; i < 3; ++i) {
-    const bool isHigh = cut_.isHigh[i], nextIsHigh = cut_.isHigh[cornerAfter(i)];
-    (isHigh ? high : low).push_back({i, across(i)});
-    if (isHigh == nextIsHigh) continue;
-    const int vertex = static_cast<int>(vertices_.size());
-    const int before = isHigh ? cut_.high : cut_.low, after = isHigh ? cut_.low : cut_.high;
-    vertices_.push_back({Vertex::kOnSide, i, {before, after, -1}});
-    (isHigh ? high : low).push_back({vertex, after});
-    (isHigh ? low : high).push_back({vertex, across(i)});
+    const bool ofHigh = isHigh[i];
+    const int here = ofHigh ? high : low, after = ofHigh ? low : high;
+    vertices_[i] = {Vertex::kCorner, i, {here, -1, -1}};
+    *next[ofHigh]++ = {i, across(i)};
+    if (isHigh[cornerAfter(i)] == ofHigh) continue;
+    vertices_[crossing] = {Vertex::kOnSide, i, {here, after, -1}};
+    *next[ofHigh]++ = {crossing, after};
+    *next[!ofHigh]++ = {crossing, across(i)};
+    if (!ofHigh) segments_[0] = {crossing, 7 - crossing, low, high};
+    ++crossing;
+  }
+  cells_[0] = {low, 0, ofLow};
+  if (isCut) cells_[1] = {high, ofLow, 7};
+}
+
+/// Each segment is a side of two cells, of which the first has the lower label.
+void FaceEnvelope::findSegments() {
+  segments_.clear();
+  for (const Cell& cell : cells_) {
+    const std::span<const CellSide> sides = this->sides(cell);
+    for (size_t i = 0; i < sides.size(); ++i)
+      if (const auto [vertex, across] = sides[i]; across > cell.function) {
+        const int next = sides[i + 1 < sides.size() ? i + 1 : 0].vertex;
+        segments_.push_back({vertex, next, cell.function, across});
+      }
   }
 }
 
@@ -127,13 +145,9 @@ int FaceEnvelope::cutVertex(const Cell& cell, const CellSide& from, const CellSi
 }
 
 /// Cuts f's cell from another one: a convex cell gives up one run of its vertices, and the cut
-/// closes both parts. False if nothing is left of the other cell.
-bool FaceEnvelope::cutCell(Cell& cell, int f) {
-  const auto& sides = cell.sides;
-  if (std::none_of(sides.begin(), sides.end(),
-                   [&](const CellSide& side) { return below_[side.vertex]; }))
-    return true;
-  kept_.clear();
+/// closes both parts.
+void FaceEnvelope::cutCell(const Cell& cell, int f) {
+  const std::span<const CellSide> sides = this->sides(cell);
   int entry = -1, exit = -1;  // where the outline of the part given up starts and ends
   for (size_t s = 0; s < sides.size(); ++s) {
     const CellSide from = sides[s], to = sides[s + 1 < sides.size() ? s + 1 : 0];
@@ -154,8 +168,6 @@ bool FaceEnvelope::cutCell(Cell& cell, int f) {
       links_.push_back({start, end, from.across});
   }
   if (entry >= 0) links_.push_back({exit, entry, cell.function});
-  std::swap(cell.sides, kept_);
-  return !cell.sides.empty();
 }
 
 /// Adds one function, whose cell is cut from the others.
@@ -166,12 +178,16 @@ void FaceEnvelope::insert(int f) {
 
   links_.clear();
   cuts_.clear();
-  int remaining = 0;
-  for (int c = 0; c < cellCount_; ++c) {
-    if (!cutCell(cells_[c], f)) continue;
-    if (remaining != c) std::swap(cells_[remaining], cells_[c]);
-    ++remaining;
+  kept_.clear();
+  size_t remaining = 0;
+  for (const Cell& cell : cells_) {
+    const int begin = static_cast<int>(kept_.size());
+    cutCell(cell, f);
+    const int end = static_cast<int>(kept_.size());
+    if (begin < end) cells_[remaining++] = {cell.function, begin, end};
   }
+  cells_.resize(remaining);
+  std::swap(sides_, kept_);
   for (size_t v = 0; v < below_.size(); ++v) {
     if (!below_[v]) continue;
     if (vertices_[v].kind == Vertex::kCorner)
@@ -179,19 +195,19 @@ void FaceEnvelope::insert(int f) {
     else
       vertices_[v].kind = Vertex::kGone;
   }
+  addCellOfLinks(f);
+}
 
-  if (remaining == static_cast<int>(cells_.size())) cells_.emplace_back();
-  cellCount_ = remaining + 1;
-  Cell& cell = cells_[remaining];
-  cell.function = f;
-  cell.sides.clear();
+void FaceEnvelope::addCellOfLinks(int f) {
+  const int begin = static_cast<int>(sides_.size());
   int at = links_[0].from;
   for (size_t i = 0; i < links_.size(); ++i) {
     const auto link =
         std::find_if(links_.begin(), links_.end(), [&](const Link& l) { return l.from == at; });
-    if (vertices_[at].kind != Vertex::kGone) cell.sides.push_back({at, link->across});
+    if (vertices_[at].kind != Vertex::kGone) sides_.push_back({at, link->across});
     at = link->to;
   }
+  cells_.push_back({f, begin, static_cast<int>(sides_.size())});
 }
 
 }  // namespace gvd

@@ -54,7 +54,13 @@ class FaceEnvelope {
   };
   struct Cell {
     int function;
-    std::vector<CellSide> sides;
+    int begin, end;  ///< of its sides
+  };
+
+  /// Where two cells meet: that of `left`, with the lower label, and that of `right`.
+  struct Segment {
+    int tail, tip;  ///< vertices
+    int left, right;
   };
 
   /// `functions`: at least one, ascending by label. They must outlive all later calls. O(n²) for n
@@ -63,7 +69,14 @@ class FaceEnvelope {
 
   /// The first three are the corners.
   const std::vector<Vertex>& vertices() const { return vertices_; }
-  std::span<const Cell> cells() const { return {cells_.data(), static_cast<size_t>(cellCount_)}; }
+  const std::vector<Cell>& cells() const { return cells_; }
+  std::span<const CellSide> sides(const Cell& cell) const {
+    return {sides_.data() + cell.begin, sides_.data() + cell.end};
+  }
+  /// The sides of all cells, one cell after the other.
+  const std::vector<CellSide>& sides() const { return sides_; }
+  /// In the order of the cells on their left.
+  const std::vector<Segment>& segments() const { return segments_; }
   /// Sets `bary` to where a vertex lies: number by number, as in bisector_graph.h.
   void setBary(const Vertex& v, Eigen::Vector3d& bary) const;
   int label(int function) const { return functions_[function].label; }
@@ -85,8 +98,10 @@ class FaceEnvelope {
   bool cutTriangle(int f);
   bool isBelowCut(int f) const;
   void buildCut();
+  void findSegments();
   void insert(int f);
-  bool cutCell(Cell& cell, int f);
+  void cutCell(const Cell& cell, int f);
+  void addCellOfLinks(int f);
   int cutVertex(const Cell& cell, const CellSide& from, const CellSide& to, bool toIsBelow, int f);
 
   /// A piece of the outline of the cell being inserted, from vertex to vertex.
@@ -101,14 +116,15 @@ class FaceEnvelope {
   std::span<const LabelFunction> functions_;
   Cut cut_;
   std::vector<Vertex> vertices_;
-  std::vector<Cell> cells_;  ///< the first `cellCount_` are in use; the rest keep their memory
-  int cellCount_ = 0;
+  std::vector<Cell> cells_;
+  std::vector<CellSide> sides_;
+  std::vector<Segment> segments_;
 
   // While a function is inserted.
   std::vector<char> below_;     ///< per vertex: whether the function is below the envelope there
   std::vector<Link> links_;     ///< in no order
   std::vector<CutSide> cuts_;   ///< by the cells on their first sides
-  std::vector<CellSide> kept_;  ///< what remains of the sides of the current cell
+  std::vector<CellSide> kept_;  ///< what remains of the sides of all cells
 };
 
 inline void FaceEnvelope::setBary(const Vertex& v, Eigen::Vector3d& bary) const {
