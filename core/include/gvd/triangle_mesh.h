@@ -144,10 +144,10 @@ class TriangleMesh {
     std::array<double, 3> lengths;  ///< of side i
     std::array<int, 3> vertices;    ///< at corner i: `tail(3f+i)`
     std::array<int, 3> twins;       ///< of side i: `twin(3f+i)`
+    double area;                    ///< positive
     std::array<double, 3> cosines;  ///< of the interior angle at corner i
     std::array<double, 3> sines;    ///< positive, to full relative precision
     std::array<double, 3> angles;   ///< in (0, π)
-    double area;                    ///< positive
   };
   const Face& face(int f) const { return faces_[f]; }
 
