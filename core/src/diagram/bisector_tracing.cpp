@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/prefetch.h"
 #include "distance/labelled_distances.h"
 #include "mesh/surface_geometry.h"
 
@@ -31,7 +30,7 @@ bool BisectorTracing::step(long& budget) {
                                              budget);
                        },
                        [&] { return points_.prepare(budget); }, [&] { reserve(); },
-                       [&] { return divideAll(budget); },
+                       [&](SlicedLoop& loop) { return divideAll(loop, budget); },
                        [&] {
                          if (complex_.hasFacesOnly()) out_.faceLabel = complex_.takeSoleOwners();
                        });
@@ -55,76 +54,32 @@ void BisectorTracing::reserve() {
 }
 
 /// Goes through elements in order, so that areas are always summed in the same order.
-bool BisectorTracing::divideAll(long& budget) {
-  const std::vector<int>& undecided = complex_.undecided();
-  const int count = complex_.elementCount();
-  while (next_ < count) {
-    if (budget <= 0) return false;
-    --budget;
-    const int stop = nextUndecided_ < undecided.size() ? undecided[nextUndecided_] : count;
-    const int end = std::min(stop, next_ + static_cast<int>(kQuickRounds));
-    assignUntil(end);
-    if (next_ < stop || stop == count) continue;
-    budget -= divideUndecided(next_++);
-    ++nextUndecided_;
-  }
-  return true;
+bool BisectorTracing::divideAll(SlicedLoop& loop, long& budget) {
+  return loop.runWeighted(complex_.elementCount(), budget, kQuickRounds, [&](int element) {
+    const int owner = complex_.soleOwner(element);
+    if (owner == Diagram::kMixed || !complex_.isFace(element))
+      return kQuickRounds * divide(element);
+    assign(element, owner);
+    return 1L;
+  });
 }
 
-/// Returns the units that it takes besides the first.
-long BisectorTracing::divideUndecided(int element) {
-  constexpr size_t kAhead = 6;
-  const std::vector<int>& undecided = complex_.undecided();
-  if (nextUndecided_ + kAhead < undecided.size())
-    prefetch(mesh_.face(complex_.face(undecided[nextUndecided_ + kAhead])));
-  const int owner = complex_.soleOwner(element);
-  if (owner == Diagram::kMixed) return divide(element);
-  assign(element, owner);
-  if (owner >= 0 && complex_.isFace(element) && isIndifferent(element, owner))
-    out_.indifferentFaces.push_back(complex_.face(element));
-  return 0;
-}
-
-/// Assigns the elements before `end` to their sole owners.
-void BisectorTracing::assignUntil(int end) {
-  if (!complex_.hasFacesOnly()) {
-    for (; next_ < end; ++next_) assign(next_, complex_.soleOwner(next_));
-    return;
-  }
-  int last = -1;  // many faces of one label follow each other
-  double area = 0;
-  for (; next_ < end; ++next_) {
-    const int owner = complex_.soleOwner(next_);
-    if (owner != last) {
-      if (last >= 0) out_.regionArea[last] = area;
-      area = out_.regionArea[owner];
-      last = owner;
-    }
-    area += mesh_.faceArea(complex_.face(next_));
-  }
-  if (last >= 0) out_.regionArea[last] = area;
-}
-
-/// Assigns all of an element to one label, or to none.
+/// Assigns a face to one label, or to none.
 void BisectorTracing::assign(int element, int owner) {
-  if (!complex_.isFace(element)) {
-    divide(element);
-    return;
-  }
   const int face = complex_.face(element);
   if (!complex_.hasFacesOnly()) out_.faceLabel[complex_.faceIndex(face)] = owner;
-  if (owner >= 0) out_.regionArea[owner] += mesh_.faceArea(face);
+  if (owner < 0) return;
+  out_.regionArea[owner] += mesh_.faceArea(face);
+  if (complex_.isUndecided(element) && isIndifferent(element, owner))
+    out_.indifferentFaces.push_back(face);
 }
 
-/// Whether some other label ties with the owner at all three nodes.
+/// Whether some other label ties with the owner at all three nodes, which have ties.
 bool BisectorTracing::isIndifferent(int element, int owner) const {
   const int* const node = complex_.nodesOf(element);
   const NodeLabels& nodes = complex_.nodes();
   std::array<double, 3> least;
-  for (int i = 0; i < 3; ++i) {
-    if (!nodes.hasTie(node[i])) return false;
-    least[i] = nearestOf(nodes.labels(node[i])).distance;
-  }
+  for (int i = 0; i < 3; ++i) least[i] = nearestOf(nodes.labels(node[i])).distance;
   return anyLabel(nodes.labels(node[0]), nodes.labels(node[1]), nodes.labels(node[2]),
                   [&](int label, const auto& at) {
                     bool isTie = label != owner;
@@ -133,8 +88,8 @@ bool BisectorTracing::isIndifferent(int element, int owner) const {
                   });
 }
 
-/// Returns the units that it takes besides the first: where many labels are near, each of them is
-/// compared with the cells.
+/// Returns the units that it takes: where many labels are near, each of them is compared with the
+/// cells.
 long BisectorTracing::divide(int element) {
   const int face = complex_.face(element);
   const auto functions = functions_.of(element);
@@ -147,7 +102,7 @@ long BisectorTracing::divide(int element) {
   }
   for (const FaceEnvelope::Segment& segment : envelope_.segments()) addSegment(element, segment);
   addAreas(mesh_.faceArea(face));
-  return static_cast<long>(functions.size() * envelope_.cells().size() / kQuickRounds);
+  return 1 + static_cast<long>(functions.size() * envelope_.cells().size() / kQuickRounds);
 }
 
 // --- Cells and segments --------------------------------------------------------------------------

@@ -30,9 +30,7 @@ class BisectorTracing {
   using PlacedVertex = ElementPoints::PlacedVertex;
 
   void reserve();
-  bool divideAll(long& budget);
-  void assignUntil(int end);
-  long divideUndecided(int element);
+  bool divideAll(SlicedLoop& loop, long& budget);
   void assign(int element, int owner);
   long divide(int element);
   bool isIndifferent(int element, int owner) const;
@@ -53,8 +51,6 @@ class BisectorTracing {
   Diagram& out_;
 
   SlicedSequence sequence_;
-  size_t nextUndecided_ = 0;
-  int next_ = 0;  ///< element
   ElementFunctions functions_;
   FaceEnvelope envelope_;
   ElementPoints points_;

@@ -16,6 +16,9 @@ double longestSideOf(const TriangleMesh& mesh, int detail) {
   return std::ldexp(std::sqrt(2.0) * mesh.meanEdgeLength(), -detail);
 }
 
+/// The sole owner of a face of whose vertices none has been visited.
+constexpr int kUnknown = -3;
+
 }  // namespace
 
 ComplexBuilding::ComplexBuilding(const TriangleMesh& mesh, const DistanceField& distances,
@@ -38,14 +41,8 @@ bool ComplexBuilding::step(long& budget) {
       },
       [&] { return complex_.twins_.prepare(complex_.elements_.tail.size(), budget); },
       forEach(complex_.elements_.tail, budget, kQuickRounds, [&](int h) { matchTwin(h); }),
-      [&] {
-        complex_.soleOwner_.reserve(complex_.elementCount());
-        complex_.undecided_.reserve(complex_.elementCount());
-      },
-      [&](SlicedLoop& loop) {
-        return loop.run(complex_.elementCount(), budget, kQuickRounds,
-                        [&](int e) { findOwner(e); });
-      });
+      [&] { complex_.soleOwner_.reserve(complex_.elementCount()); },
+      forEach(complex_.elements_.face, budget, kQuickRounds, [&](int e) { findOwner(e); }));
 }
 
 double ComplexBuilding::progress() const {
@@ -53,21 +50,33 @@ double ComplexBuilding::progress() const {
   return partsExpected_ > 0 ? std::min(added / partsExpected_, 1.0) : sequence_.progress();
 }
 
-/// Finds the owners of all vertices, and adds the faces if mixed ones are to be split.
+/// Finds the owners of all vertices, and with them those of the faces; adds these if mixed ones are
+/// to be split.
 bool ComplexBuilding::addMesh(long& budget) {
   NodeLabels& nodes = complex_.nodes_;
+  const bool hasOwnElements = complex_.hasOwnElements_;
   const auto forFaces = [&](auto body) {
-    return forEach(complex_.hasOwnElements_ ? mesh_.faceCount() : 0, budget, kQuickRounds, body);
+    return forEach(hasOwnElements ? mesh_.faceCount() : 0, budget, kQuickRounds, body);
   };
   return adding_.run(
-      forEach(mesh_.vertexCount(), budget, kQuickRounds, [&](int v) { nodes.findOwner(v); }),
+      [&] {
+        return hasOwnElements ||
+               fillInSlices(complex_.soleOwner_, mesh_.faceCount(), kUnknown, budget);
+      },
+      [&](SlicedLoop& loop) {
+        return loop.runWeighted(mesh_.vertexCount(), budget, kQuickRounds, [&](int v) {
+          nodes.findOwner(v);
+          if (!hasOwnElements) ownFacesAround(v);
+          return static_cast<long>(mesh_.fan(v).size());
+        });
+      },
       forFaces([&](int f) {
         if (nodes.commonOwner(mesh_.face(f).vertices.data()) == Diagram::kMixed)
           partsExpected_ += expectedParts(f);
       }),
       [&] {
         // Lists that grow beyond what is reserved are copied in one step.
-        if (complex_.hasOwnElements_)
+        if (hasOwnElements)
           complex_.elements_.reserve(mesh_.faceCount() + static_cast<size_t>(partsExpected_));
       },
       forFaces([&](int f) { addFace(f); }));
@@ -113,7 +122,6 @@ void ComplexBuilding::clear() {
   complex_.twins_.clear();
   complex_.elements_.clear();
   complex_.soleOwner_.clear();
-  complex_.undecided_.clear();
   complex_.mixedCount_ = 0;
   splitting_.reset();
   sequence_ = {};
@@ -123,15 +131,23 @@ void ComplexBuilding::addFace(int face) {
   complex_.elements_.addFace(face, mesh_.face(face).vertices);
 }
 
-/// Finds the sole owner of an element, if there is one, or notes the element as undecided.
+/// Makes the owner of a vertex the sole owner of the faces around it, unless another vertex has
+/// made them its own. Fans are in order of vertices and take fewer bytes than faces.
+void ComplexBuilding::ownFacesAround(int vertex) {
+  const int owner = complex_.nodes_.owner(vertex);
+  for (const int h : mesh_.fan(vertex)) {
+    int& sole = complex_.soleOwner_[TriangleMesh::faceOf(h)];
+    const bool isMixed = (sole != kUnknown) & (sole != owner);
+    complex_.mixedCount_ += isMixed & (sole != Diagram::kMixed);
+    sole = isMixed ? Diagram::kMixed : owner;
+  }
+}
+
+/// Finds the sole owner of an element, if there is one.
 void ComplexBuilding::findOwner(int element) {
-  const NodeLabels& nodes = complex_.nodes_;
-  const int* const node = complex_.nodesOf(element);
-  const int owner = nodes.commonOwner(node);
+  const int owner = complex_.nodes_.commonOwner(complex_.nodesOf(element));
   complex_.soleOwner_.push_back(owner);
   complex_.mixedCount_ += owner == Diagram::kMixed;
-  if (owner < 0 || std::all_of(node, node + 3, [&](int n) { return nodes.hasTie(n); }))
-    complex_.undecided_.push_back(element);
 }
 
 }  // namespace gvd

@@ -42,6 +42,7 @@ class ComplexBuilding {
   void addFace(int face);
   double expectedParts(int face) const;
   void clear();
+  void ownFacesAround(int vertex);
   void findOwner(int element);
 
   const TriangleMesh& mesh_;

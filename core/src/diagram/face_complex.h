@@ -74,9 +74,13 @@ class FaceComplex {
   /// they have none, `Diagram::kMixed` if they have several.
   int soleOwner(int element) const { return soleOwner_[element]; }
   std::vector<int> takeSoleOwners() { return std::move(soleOwner_); }
-  /// The elements, ascending, that are mixed, have no owner, or have ties at all nodes, where two
-  /// labels may tie on all of the element.
-  const std::vector<int>& undecided() const { return undecided_; }
+  /// Whether an element is mixed, has no owner, or has ties at all nodes, where two labels may tie
+  /// on all of the element.
+  bool isUndecided(int element) const {
+    const int* const node = nodesOf(element);
+    return soleOwner(element) < 0 ||
+           (nodes_.hasTie(node[0]) && nodes_.hasTie(node[1]) && nodes_.hasTie(node[2]));
+  }
   /// The number of mixed elements.
   int mixedCount() const { return mixedCount_; }
 
@@ -93,7 +97,6 @@ class FaceComplex {
   Elements elements_;  ///< empty, like `twins_`, unless `hasOwnElements_`
   TwinMatching twins_;
   std::vector<int> soleOwner_;  ///< per element
-  std::vector<int> undecided_;
   int mixedCount_ = 0;
   std::vector<int> indexInPart_;  ///< per face of the mesh, -1 if it is not in; empty if all are
   int partSize_ = 0;

@@ -45,10 +45,12 @@ bool isDominated(int label, double atTail, double atTip, Labels tail, Labels tip
 }  // namespace
 
 bool LabelCompletion::step(long& budget) {
-  constexpr long kElementsPerUnit = 8;
-  const std::vector<int>& undecided = complex_.undecided();
-  while (loop_.run(undecided.size(), budget, kElementsPerUnit,
-                   [&](int i) { complete(undecided[i]); })) {
+  constexpr long kRounds = kQuickRounds / 8;  // of an undecided element
+  while (loop_.runWeighted(complex_.elementCount(), budget, kQuickRounds, [&](int element) {
+    if (!complex_.isUndecided(element)) return 1L;
+    complete(element);
+    return kRounds;
+  })) {
     isFirstRound_ = false;
     if (!std::exchange(hasChanged_, false)) return true;
   }
