@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A diagram is traced from distances in stages: elements, labels that they lack, bisectors,
-// outlines, segments, arcs, Voronoi points, loops, cells.
+// outlines, segments, Voronoi points, loops, cells, arcs.
 #include "diagram/diagram_tracing.h"
 
 #include <memory>
@@ -82,10 +82,14 @@ class Tracing final : public SlicedWork<TracedDiagram> {
           return runPart(segments_, budget, mesh_, graph_, outlines_->boundarySteps(), points_,
                          out_);
         },
-        [&] { return arcs_.step(budget); },
         [&] { return runPart(voronoiPoints_, budget, graph_, *outlines_, points_, out_); },
         [&](SlicedLoop& loop) { return collectLoops(loop, budget); },
-        [&] { return runPart(cells_, budget, complex_, graph_, points_, out_); });
+        [&] { return runPart(cells_, budget, complex_, graph_, points_, out_); },
+        [&] {
+          outlines_.reset();
+          release(graph_.points);
+        },
+        [&] { return arcs_.step(budget); });
   }
 
   bool collectLoops(SlicedLoop& loop, long& budget) {
