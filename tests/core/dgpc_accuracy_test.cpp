@@ -18,7 +18,7 @@
 #include "gvd/geodesic.h"
 #include "gvd/sampling.h"
 #include "mechanical_shapes.h"
-#include "mesh/representations.h"
+#include "mesh/incidence.h"
 #include "shapes.h"
 
 namespace gvd {

@@ -10,7 +10,7 @@
 #include "gvd/diagram.h"
 #include "gvd/error.h"
 #include "gvd/sampling.h"
-#include "mesh/representations.h"
+#include "mesh/incidence.h"
 #include "shapes.h"
 
 namespace gvd {

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "brute_force.h"
-#include "mesh/representations.h"
+#include "mesh/incidence.h"
 
 namespace gvd::checks {
 namespace {

@@ -20,7 +20,7 @@
 #include "gvd/error.h"
 #include "gvd/sampling.h"
 #include "mechanical_shapes.h"
-#include "mesh/representations.h"
+#include "mesh/incidence.h"
 #include "mesh/surface_geometry.h"
 #include "random_case.h"
 #include "shapes.h"

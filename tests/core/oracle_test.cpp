@@ -13,7 +13,7 @@
 
 #include "gvd/geodesic.h"
 #include "gvd/sampling.h"
-#include "mesh/representations.h"
+#include "mesh/incidence.h"
 #include "shapes.h"
 
 namespace gvd {

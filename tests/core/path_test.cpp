@@ -17,7 +17,7 @@
 #include "gvd/geodesic.h"
 #include "gvd/sampling.h"
 #include "mechanical_shapes.h"
-#include "mesh/representations.h"
+#include "mesh/incidence.h"
 #include "random_case.h"
 #include "shapes.h"
 

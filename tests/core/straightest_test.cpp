@@ -11,7 +11,7 @@
 #include "gvd/error.h"
 #include "gvd/sampling.h"
 #include "mesh/face_layout.h"
-#include "mesh/representations.h"
+#include "mesh/incidence.h"
 #include "shapes.h"
 
 namespace gvd {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "degenerate_diagrams.h"
-#include "mesh/representations.h"
+#include "mesh/incidence.h"
 #include "shapes.h"
 
 namespace gvd {

@@ -8,7 +8,7 @@
 
 #include "base/tolerances.h"
 #include "gvd/diagram.h"
-#include "mesh/representations.h"
+#include "mesh/incidence.h"
 
 namespace gvd {
 namespace {

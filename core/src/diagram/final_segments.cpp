@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "mesh/representations.h"
+#include "mesh/incidence.h"
 
 namespace gvd {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "mesh/representations.h"
+#include "mesh/incidence.h"
 
 namespace gvd {
 namespace {

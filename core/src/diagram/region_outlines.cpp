@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/sorting.h"
-#include "mesh/representations.h"
+#include "mesh/incidence.h"
 
 namespace gvd {
 

@@ -5,7 +5,7 @@
 
 #include "base/prefetch.h"
 #include "mesh/face_layout.h"
-#include "mesh/representations.h"
+#include "mesh/incidence.h"
 #include "mesh/surface_geometry.h"
 
 namespace gvd {

@@ -5,7 +5,7 @@
 
 #include "base/tolerances.h"
 #include "mesh/face_layout.h"
-#include "mesh/representations.h"
+#include "mesh/incidence.h"
 
 namespace gvd {
 

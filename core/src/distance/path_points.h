@@ -9,7 +9,7 @@
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 #include "mesh/face_layout.h"
-#include "mesh/representations.h"
+#include "mesh/incidence.h"
 
 namespace gvd {
 

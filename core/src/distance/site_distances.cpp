@@ -11,7 +11,7 @@
 #include "distance/exact/window_spread.h"
 #include "gvd/error.h"
 #include "mesh/given_points.h"
-#include "mesh/representations.h"
+#include "mesh/incidence.h"
 
 namespace gvd {
 namespace {

@@ -6,7 +6,7 @@
 #include "base/small_lists.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
-#include "mesh/representations.h"
+#include "mesh/incidence.h"
 
 namespace gvd {
 

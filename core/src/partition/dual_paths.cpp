@@ -12,7 +12,7 @@
 #include "diagram/given_diagram.h"
 #include "distance/site_distances.h"
 #include "gvd/dual.h"
-#include "mesh/representations.h"
+#include "mesh/incidence.h"
 
 namespace gvd {
 namespace {

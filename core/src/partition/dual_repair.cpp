@@ -19,7 +19,7 @@
 #include "gvd/error.h"
 #include "gvd/straightest.h"
 #include "mesh/face_layout.h"
-#include "mesh/representations.h"
+#include "mesh/incidence.h"
 #include "partition/dual_parts.h"
 #include "partition/dual_violations.h"
 

@@ -15,7 +15,7 @@
 #include "base/sliced_loop.h"
 #include "diagram/given_diagram.h"
 #include "mesh/face_layout.h"
-#include "mesh/representations.h"
+#include "mesh/incidence.h"
 #include "mesh/surface_geometry.h"
 #include "mesh/twin_matching.h"
 #include "partition/convex_triangulation.h"

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "base/sliced_loop.h"
-#include "mesh/representations.h"
+#include "mesh/incidence.h"
 #include "mesh/surface_geometry.h"
 
 namespace gvd {

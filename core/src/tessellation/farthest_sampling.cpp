@@ -16,7 +16,7 @@
 #include "distance/dgpc/unfolding_sweep.h"
 #include "gvd/geodesic.h"
 #include "gvd/sampling.h"
-#include "mesh/representations.h"
+#include "mesh/incidence.h"
 #include "tessellation/vertex_covering.h"
 
 namespace gvd {

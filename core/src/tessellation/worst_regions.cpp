@@ -22,7 +22,7 @@
 #include "gvd/dynamic_diagram.h"
 #include "gvd/sampling.h"
 #include "mesh/face_layout.h"
-#include "mesh/representations.h"
+#include "mesh/incidence.h"
 #include "mesh/surface_geometry.h"
 
 namespace gvd {

@@ -6,7 +6,7 @@
 #include "base/tolerances.h"
 #include "distance/site_frame.h"
 #include "mesh/face_layout.h"
-#include "mesh/representations.h"
+#include "mesh/incidence.h"
 #include "mesh/surface_geometry.h"
 
 namespace gvd::dgpc {

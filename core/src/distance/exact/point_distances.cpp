@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "distance/path_points.h"
-#include "mesh/representations.h"
+#include "mesh/incidence.h"
 
 namespace gvd::exact {
 namespace {

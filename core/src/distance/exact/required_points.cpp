@@ -6,7 +6,7 @@
 
 #include "base/sorting.h"
 #include "mesh/face_layout.h"
-#include "mesh/representations.h"
+#include "mesh/incidence.h"
 
 namespace gvd::exact {
 

@@ -15,7 +15,7 @@
 #include "distance/site_set.h"
 #include "gvd/geodesic.h"
 #include "mesh/given_points.h"
-#include "mesh/representations.h"
+#include "mesh/incidence.h"
 
 namespace gvd {
 namespace {

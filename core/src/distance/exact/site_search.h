@@ -8,7 +8,7 @@
 #include "distance/site_set.h"
 #include "distance/ties.h"
 #include "gvd/geodesic.h"
-#include "mesh/representations.h"
+#include "mesh/incidence.h"
 
 namespace gvd::exact {
 

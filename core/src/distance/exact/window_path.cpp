@@ -8,7 +8,7 @@
 #include "distance/path_points.h"
 #include "distance/straight_line.h"
 #include "mesh/face_layout.h"
-#include "mesh/representations.h"
+#include "mesh/incidence.h"
 
 namespace gvd::exact {
 namespace {

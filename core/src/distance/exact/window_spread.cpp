@@ -9,7 +9,7 @@
 #include "distance/exact/window_path.h"
 #include "distance/path_points.h"
 #include "mesh/face_layout.h"
-#include "mesh/representations.h"
+#include "mesh/incidence.h"
 
 namespace gvd::exact {
 namespace {

@@ -5,7 +5,7 @@
 #include "base/sliced_loop.h"
 #include "distance/exact/window_sweep.h"
 #include "mesh/face_layout.h"
-#include "mesh/representations.h"
+#include "mesh/incidence.h"
 
 namespace gvd::exact {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A point on an edge or vertex can be given in each of the faces that have it.
+// The vertex or edge that a point lies on, and the faces that have it: it can be given in each.
 #pragma once
 
 #include <Eigen/Core>
