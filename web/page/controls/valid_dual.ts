@@ -32,10 +32,7 @@ export async function repairDual(viewer: GeodesicVoronoiElement): Promise<void> 
   let endNote = () => {};
   const onProgress = (share: number) => {
     const now = `Adding sites to make the dual valid: ${10 * Math.floor(10 * share)} %.`;
-    if (now === shown) return;
-    shown = now;
-    endNote();
-    endNote = showNote(now, cancel);
+    if (now !== shown) endNote = showNote((shown = now), cancel);
   };
   try {
     const valid = await diagram.repair({ signal, onProgress });

@@ -147,9 +147,9 @@ function setUpReadout(viewer: GeodesicVoronoiElement): void {
 /** The least and the greatest of areas, as multiples of their mean. */
 function spreadOf(areas: Float64Array): string {
   if (areas.length === 0) return '–';
-  const sorted = areas.slice().sort();
   const mean = areas.reduce((sum, area) => sum + area) / areas.length;
-  return `${(sorted[0] / mean).toFixed(2)} to ${(sorted.at(-1)! / mean).toFixed(2)} × mean`;
+  const sorted = areas.map((area) => area / mean).sort();
+  return `${sorted[0].toFixed(2)} to ${sorted.at(-1)!.toFixed(2)} × mean`;
 }
 
 /** Shows the counts and areas of the diagram, and the time that each stage took last. */
