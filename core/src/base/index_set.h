@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -33,11 +32,13 @@ class IndexSet {
   bool addAll(long& budget) {
     constexpr long kIndicesPerUnit = 128;
     list_.reserve(isIn_.size());
-    const std::size_t begin = list_.size();
-    const std::size_t end = endOfSlice(begin, isIn_.size(), budget, kIndicesPerUnit);
+    std::size_t i = list_.size();
+    const std::size_t end = endOfSlice(i, isIn_.size(), budget, kIndicesPerUnit);
     list_.resize(end);
-    std::iota(list_.begin() + begin, list_.end(), static_cast<int>(begin));
-    std::fill(isIn_.begin() + begin, isIn_.begin() + end, true);
+    for (; i < end; ++i) {
+      list_[i] = static_cast<int>(i);
+      isIn_[i] = true;
+    }
     return end == isIn_.size();
   }
   /// Empties the set, in time proportional to its size.
