@@ -101,7 +101,7 @@ void DualBuilding::addPolygon(int v) {
 
 namespace {
 
-/// The same for the regions themselves.
+/// Builds the mesh of the regions themselves, in slices.
 class RegionMeshBuilding {
  public:
   RegionMeshBuilding(const TriangleMesh& mesh, const Partition& partition,

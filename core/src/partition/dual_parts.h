@@ -42,8 +42,8 @@ class DualBuilding {
   PolygonMesh out_;
 };
 
-/// Work that makes a result of the regions of a diagram: `make(partition, complex)` is a part that
-/// does it in slices.
+/// Work on the regions of a diagram: first finds them, then steps through the part that
+/// `make(partition, complex)` returns, whose result it takes.
 template <class Make>
 auto fromRegions(const TriangleMesh& mesh, const Diagram& diagram, Make make) {
   using Part =

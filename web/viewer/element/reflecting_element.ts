@@ -57,7 +57,8 @@ export class ReflectingElement extends Base {
       const attribute = name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
       const isText = Array.isArray(value) || Object(value) !== value;
       if (isText && observedAttributes.includes(attribute)) this.reflect(attribute, value);
-      // Others need the whole element, and most of them a model: the page hears of it as ever.
+      // Setters of other values need the whole element. What one throws, as `sites` does without a
+      // model, is then an uncaught error of the page.
       else queueMicrotask(() => Reflect.set(this, name, value));
     }
   }
