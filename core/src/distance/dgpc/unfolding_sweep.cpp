@@ -107,8 +107,9 @@ void UnfoldingSweep::improve(int v, double distance, const Vector2d& direction,
 }
 
 /// Offers the apex of a side its distance from the virtual source behind the side, if the source
-/// sees the apex through the side. The site has reached all three corners. Inlined, because most
-/// sides are done with after the first test.
+/// sees the apex through the side. Where the site has not reached all three corners, the tests with
+/// infinite distances fail or yield no source. Inlined, because most sides are done with after the
+/// first test.
 [[gnu::always_inline]] inline void UnfoldingSweep::unfoldAcross(const TriangleMesh::Face& face,
                                                                 int side) {
   const int tail = face.vertices[side], tip = face.vertices[cornerAfter(side)];
@@ -124,21 +125,22 @@ void UnfoldingSweep::improve(int v, double distance, const Vector2d& direction,
     offer(apex, std::sqrt(squared), directionToApex(*unfolding, atTail, atTip), {tail, tip});
 }
 
-/// Passes on the distance of a vertex: along its edges, and across the sides that end at it in the
-/// faces around it. Skips a face while both other corners are queued: their distances may still
+/// Passes on the distance of a vertex: across the sides that end at it in the faces around it, and
+/// along its edges, which comes last because a path across a side is shorter, if there is one.
+/// Unfolds nothing across a face while both other corners are queued: their distances may still
 /// fall, and they will unfold across the face themselves.
 void UnfoldingSweep::passOn(int v) {
   const Vertex& own = vertices_[v];
   const std::span<const int> fan = mesh_.fan(v);
-  offer(mesh_.tip(fan.front()), own.distance + mesh_.length(fan.front()), own.direction, {v, v});
   for (const int h : fan) {
     const TriangleMesh::Face& face = mesh_.face(TriangleMesh::faceOf(h));
     const int i = h % 3, k = cornerBefore(i);
     const int tip = face.vertices[cornerAfter(i)], tail = face.vertices[k];
+    if (!(vertices_[tip].isQueued && vertices_[tail].isQueued))
+      for (const int side : {i, k}) unfoldAcross(face, side);
     offer(tail, own.distance + face.lengths[k], own.direction, {v, v});
-    if (vertices_[tip].isQueued && vertices_[tail].isQueued) continue;
-    for (const int side : {i, k}) unfoldAcross(face, side);
   }
+  offer(mesh_.tip(fan.front()), own.distance + mesh_.length(fan.front()), own.direction, {v, v});
 }
 
 /// The direction of the path to an apex: interpolated between the directions of the side's ends,
