@@ -21,6 +21,12 @@ class SmallLists {
   /// Lengthens this to `count` lists, in slices; true when there are as many.
   bool addLists(size_t count, long& budget) { return fillInSlices(lists_, count, List(), budget); }
 
+  /// Appends an empty list and returns its index.
+  int addList() {
+    lists_.emplace_back();
+    return static_cast<int>(lists_.size()) - 1;
+  }
+
   std::span<const Item> operator[](int i) const {
     return {items_.data() + lists_[i].first, lists_[i].size};
   }

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "base/small_lists.h"
+#include "base/sparse_lists.h"
 #include "distance/label_turns.h"
 #include "distance/nearest_bounds.h"
 #include "distance/site_set.h"
@@ -53,7 +53,7 @@ class FaceOwners {
   const SiteSet& sites_;
   const NearestBounds& bounds_;
   std::vector<int> sole_;
-  SmallLists<Owner> several_;  ///< empty where there is a sole owner
+  SparseLists<Owner> several_;  ///< empty where there is a sole owner
 };
 
 }  // namespace gvd

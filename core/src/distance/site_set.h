@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "base/small_lists.h"
+#include "base/sparse_lists.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 #include "mesh/incidence.h"
@@ -47,7 +47,7 @@ class SiteSet {
  private:
   const TriangleMesh& mesh_;
   std::vector<SurfacePoint> points_;  ///< face -1: there is no site with this label
-  SmallLists<FaceSite> inFace_;
+  SparseLists<FaceSite> inFace_;
   int count_ = 0;
 };
 
