@@ -22,8 +22,9 @@ bool BoundsLowering::step(long& budget) {
                 const int v = change_.resetVertices[i];
                 bounds_[v].distance = edgeBounds_[v];
               }),
-      forEach(edgeBounds_.changed(), budget, kQuickRounds,
-              [&](int i) { resetBound(edgeBounds_.changed()[i]); }),
+      // In order of memory: at the beginning, these are all vertices.
+      [&] { bounded_ = edgeBounds_.changed().sorted(); },
+      forEach(bounded_, budget, kQuickRounds, [&](int i) { resetBound(bounded_[i]); }),
       [&] { return lowerBy(change_.resumed, budget); }, [&] { startTurns(); },
       [&] { return spread(budget); });
 }

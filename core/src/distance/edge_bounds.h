@@ -39,8 +39,8 @@ class EdgeBounds {
   double front() const { return queue_.front(); }
 
   double operator[](int vertex) const { return vertices_[vertex].bound; }
-  /// The vertices at which a bound has changed since the last `clearChanged`, each once.
-  const std::vector<int>& changed() const { return changed_.list(); }
+  /// The vertices at which a bound has changed since the last `clearChanged`.
+  const IndexSet& changed() const { return changed_; }
   void clearChanged() { changed_.clear(); }
 
  private:

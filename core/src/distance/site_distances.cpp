@@ -161,7 +161,7 @@ void SiteDistances::insertSite(const SiteChange& c) {
 bool SiteDistances::findOutdated(SlicedLoop& loop, long& budget) {
   constexpr long kVerticesPerUnit = 8;
   if (spread_->dependsOnEdgeBounds() && sites_.count() > static_cast<int>(change_.started.size())) {
-    const std::vector<int>& changed = edgeBounds_.changed();
+    const std::vector<int>& changed = edgeBounds_.changed().list();
     if (!loop.run(changed.size(), budget, kVerticesPerUnit, [&](int i) {
           for (const int label : reaching_[changed[i]]) outdated_.add(label);
         }))
