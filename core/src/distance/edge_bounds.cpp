@@ -82,9 +82,12 @@ void EdgeBounds::offerAround(int vertex) {
 /// shorter than the bucket is wide, the latest first would make paths longer and longer, and lower
 /// each bound again and again.
 bool EdgeBounds::step(long& budget) {
-  constexpr size_t kAhead = 2;  // turns before its own at which a vertex's faces are fetched
+  // The lengths around a vertex are fetched into the cache this many turns before its own, and the
+  // fan that lists the faces as many turns earlier.
+  constexpr size_t kAhead = 2;
   while (queue_.advance()) {
     if (budget-- <= 0) return false;
+    if (const auto later = queue_.ahead(2 * kAhead)) prefetchFan(mesh_, *later);
     if (const auto next = queue_.ahead(kAhead))
       mesh_.visitFaces(*next, [&](int f) { prefetch(mesh_.face(f).lengths); });
     const int v = queue_.take();

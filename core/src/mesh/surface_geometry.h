@@ -17,8 +17,14 @@ inline double longestEdge(const TriangleMesh& mesh) {
   return longest;
 }
 
-/// Prefetches the faces around a vertex into the cache.
+/// Prefetches the list of the halfedges that leave a vertex, which tells where the faces around it
+/// are.
 inline void prefetchFan(const TriangleMesh& mesh, int vertex) {
+  prefetch(mesh.fan(vertex).front());
+}
+
+/// Prefetches the faces around a vertex.
+inline void prefetchFacesAround(const TriangleMesh& mesh, int vertex) {
   for (const int h : mesh.fan(vertex)) prefetch(mesh.face(TriangleMesh::faceOf(h)));
 }
 

@@ -224,7 +224,7 @@ void WindowSweep::queueBatch(int halfedge, double key) {
 /// Fetches into the cache what the next turn begins with. Its face or fan was fetched when it was
 /// queued.
 void WindowSweep::prefetchTurn(int item) const {
-  if (item < 0) return prefetchFan(mesh_, -1 - item);
+  if (item < 0) return prefetchFacesAround(mesh_, -1 - item);
   const TriangleMesh::Face& face = mesh_.face(item / 3);
   const int i = item % 3;
   prefetch(vertices_[face.vertices[cornerBefore(i)]]);
