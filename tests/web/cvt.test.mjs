@@ -101,6 +101,22 @@ suite('the centroidal tessellation', () => {
     assert.equal((await iterations()).length, number, 'nothing goes on behind one’s back');
   });
 
+  test('going on after a pause is a step to undo of its own; a reset takes back all', async () => {
+    const before = await viewer.sites();
+    await viewer.evaluate((viewer) => viewer.setAttribute('cvt-iterations', '2'));
+    await viewer.after('diagram', () => press('#cvt-play'));
+    const atPause = await viewer.sites();
+    await viewer.after('diagram', () => press('#cvt-play'));
+    await viewer.after('diagram', () => press('#undo'));
+    assert.deepEqual(await viewer.sites(), atPause);
+    await viewer.after('diagram', () => press('#cvt-step'));
+    await viewer.after('diagram', () => press('#cvt-step'));
+    await viewer.after('diagram', () => press('#cvt-reset'));
+    assert.deepEqual(await viewer.sites(), atPause, 'of this tessellation');
+    await viewer.after('diagram', () => press('#undo'));
+    assert.deepEqual(await viewer.sites(), before);
+  });
+
   test('a key that is held begins it once', async () => {
     await viewer.evaluate((viewer) => viewer.setAttribute('cvt-iterations', '1000'));
     await viewer.page.locator('#viewer').focus();
@@ -512,8 +528,8 @@ suite('the centroidal tessellation', () => {
     const numbers = (await iterations()).map(({ iteration }) => iteration);
     assert.deepEqual(numbers, [...numbers.keys()], 'no iteration is lost or comes twice');
 
-    await viewer.after('diagram', () => press('#undo'));
-    assert.deepEqual(await viewer.sites(), before, 'all of it is one step');
+    await viewer.after('diagram', () => press('#cvt-reset'));
+    assert.deepEqual(await viewer.sites(), before);
   });
 
   test('sites are sampled in three ways', async () => {

@@ -239,7 +239,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
 
   /**
    * Moves the sites to the centroids of their regions, or goes on doing so, until the number of
-   * iterations is a multiple of `cvt-iterations`. All of it is one step to undo. Adding, moving or
+   * iterations is a multiple of `cvt-iterations`. Until then it is one step to undo. Adding, moving or
    * removing a site meanwhile is a step of its own, and iterations go on from there; undoing ends them.
    * Another `cvt-method`, `cvt-tolerance` or `metric` holds from the next call, which then begins anew.
    */
@@ -256,7 +256,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     this.#session?.pauseCvt();
   }
 
-  /** Back to the sites from before. */
+  /** Back to the sites from before the tessellation, however often it has paused. */
   resetCvt(): void {
     this.#session?.resetCvt();
   }

@@ -7,7 +7,7 @@ import { CvtRun, type CvtSettings, type PreparedIteration } from './cvt_run.js';
 import type { LiveDiagram } from './live_diagram.js';
 import type { CvtStatus, SessionListener } from './session_listener.js';
 import type { PrepareDiagram, ShownDiagram } from './shown_diagram.js';
-import { placeOf, type SiteHistory } from './site_history.js';
+import { placeOf, type SiteHistory, type Sites } from './site_history.js';
 
 /** What the session does about a tessellation. */
 interface CvtUse {
@@ -18,8 +18,8 @@ interface CvtUse {
 
 /**
  * Moves the sites to the centroids of their regions, and shows every iteration. All iterations from
- * the first to the last are one step to undo. Whoever changes the sites otherwise stops it; the next
- * tessellation begins with the sites as they are then.
+ * one `play` to the pause after it are one step to undo. Whoever changes the sites otherwise stops it;
+ * the next tessellation begins with the sites as they are then.
  */
 export class CvtPlayer {
   readonly #history: SiteHistory;
@@ -28,6 +28,10 @@ export class CvtPlayer {
   readonly #listener: SessionListener;
   readonly #use: CvtUse;
   #run: CvtRun | undefined;
+  /** The sites from before the tessellation. */
+  #before: Sites = [];
+  /** Whether the next iteration begins a step to undo. */
+  #beginsStep = false;
 
   constructor(
     history: SiteHistory,
@@ -59,6 +63,7 @@ export class CvtPlayer {
     const wanted = { ...settings, metric: this.#diagram.settings.metric };
     if (this.#run && (this.#run.status === 'done' || !this.#run.hasSettings(wanted))) this.stop();
     this.#run ??= this.#newRun(mesh, wanted);
+    this.#beginsStep ||= !this.isPlaying;
     this.#run.play(until(this.#run.iteration));
     this.#diagram.cancel();
     this.#use.statusChanged();
@@ -71,9 +76,8 @@ export class CvtPlayer {
   /** Ends the tessellation, if there is one, and goes back to the sites from before; returns whether. */
   reset(): boolean {
     if (!this.#run) return false;
-    const hasMoved = this.#run.iteration > 0;
     this.stop();
-    if (hasMoved) this.#history.undo();
+    this.#history.returnTo(this.#before);
     return true;
   }
 
@@ -85,7 +89,8 @@ export class CvtPlayer {
   }
 
   #newRun(mesh: Mesh, settings: CvtSettings & { metric: Metric }): CvtRun {
-    return new CvtRun(mesh, this.#history.present, settings, this.#prepare, {
+    this.#before = this.#history.present;
+    return new CvtRun(mesh, this.#before, settings, this.#prepare, {
       iterated: (iteration) => this.#showIteration(iteration, settings.metric),
       paused: () => this.#rest(),
       failed: (error) => {
@@ -99,8 +104,9 @@ export class CvtPlayer {
     if (state.iteration > 0) {
       const { present } = this.#history;
       const sites = present.map(({ id }, i) => ({ id, ...placeOf(state.sites, i) }));
-      if (state.iteration === 1) this.#history.record(sites);
+      if (this.#beginsStep) this.#history.record(sites);
       else this.#history.revise(sites);
+      this.#beginsStep = false;
       this.#listener.sitesChanged();
     }
     const shown: ShownDiagram = {
