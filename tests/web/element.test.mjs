@@ -991,6 +991,16 @@ suite('attributes and events', () => {
     assert.equal(name, 'own.obj');
   });
 
+  test('a model without any area is not opened as an empty view', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
+    const line = 'v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nf 1 2 3\nf 2 4 3\n';
+    const { type, message } = await viewer.after('error', () =>
+      viewer.evaluate((viewer, text) => void viewer.loadFiles(new File([text], 'line.obj')), line),
+    );
+    assert.equal(type, 'loadfailure');
+    assert.equal(message, 'line.obj has no area to be seen: all of its triangles are flat.');
+  });
+
   test('a picture of no size is refused, and so is a density of other vertices', async () => {
     const viewer = await browser.open({ path: 'one.html' });
     const refusals = await viewer.evaluate(async (viewer) => {

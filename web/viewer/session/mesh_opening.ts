@@ -84,6 +84,9 @@ export async function openMesh(
         error,
       );
     });
+    const { faces, repairs } = mesh.info;
+    if (repairs.mollifiedTriangles === faces)
+      throw new Error(`${files.name} has no area to be seen: all of its triangles are flat.`);
     const placing = { signal, onProgress: between(meshShare, 1) };
     const drawn = sceneOf(mesh, builder, failing.signal);
     const [edited, scene] = await Promise.all([
