@@ -321,6 +321,22 @@ suite('many elements', () => {
     await Promise.all(page.workers().map((worker) => worker.waitForEvent('close')));
   });
 
+  test('one whose view cannot be made leaves no context', async () => {
+    const viewer = await emptyPage();
+    const told = await viewer.page.evaluate(async () => {
+      window.ResizeObserver = undefined;
+      const element = document.createElement('geodesic-voronoi');
+      const message = new Promise((resolve) =>
+        element.addEventListener('error', ({ detail }) => resolve(detail.message)),
+      );
+      document.body.append(element);
+      return [await message, element.status, window.contexts.length];
+    });
+    assert.match(told[0], /^The view cannot be made: ResizeObserver is not/);
+    assert.deepEqual(told.slice(1), ['failed', 1]);
+    assert.equal(await contextCount(viewer), 0);
+  });
+
   /** Counts, in the page, the listeners on what outlives an element. */
   function countListeners() {
     const listeners = new Set();

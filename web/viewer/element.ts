@@ -38,9 +38,8 @@ export { commandOf, layers };
  * A model with its geodesic Voronoi diagram, to look at and to edit: a click adds a site, a drag
  * moves it, Delete removes it.
  *
- * web/docs/element.md has the tables of its attributes, properties, events, slots, parts and
- * variables. A model opened from a file is gone when the element leaves its document; that of `src`
- * is there again when it returns.
+ * web/docs/element.md has the tables of attributes, properties, events, slots, parts and variables.
+ * A model opened from a file is gone when the element leaves its document; that of `src` returns.
  */
 export class GeodesicVoronoiElement extends ReflectingElement {
   static readonly observedAttributes = [
@@ -335,18 +334,20 @@ export class GeodesicVoronoiElement extends ReflectingElement {
   #started(): Viewer | undefined {
     const shadow = this.#shadow;
     if (this.#viewer || !shadow || shadow.failure) return this.#viewer;
-    const emit = <Type extends keyof ViewerEvents>(type: Type, detail: ViewerEvents[Type]) => {
-      this.dispatchEvent(new CustomEvent(type, { detail }));
+    const emit = <Type extends keyof ViewerEvents>(type: Type, detail: ViewerEvents[Type]) =>
+      void this.dispatchEvent(new CustomEvent(type, { detail }));
+    const host = {
+      attributes: this.attributeValues,
+      emit,
+      hint: (text: string) => shadow.hint(text),
+      contextLost: () => emit('error', { type: 'webglcontextlost', message: contextLost }),
+      contextRestored: () => (shadow.isContextLost = false),
     };
+    const watching = new AbortController();
     try {
-      this.#viewer = new Viewer(shadow.canvas, {
-        attributes: this.attributeValues,
-        emit,
-        hint: (text) => shadow.hint(text),
-        contextLost: () => emit('error', { type: 'webglcontextlost', message: contextLost }),
-        contextRestored: () => (shadow.isContextLost = false),
-      });
+      this.#viewer = new Viewer(shadow.canvas, host, watching);
     } catch (error) {
+      watching.abort(); // gives back the shared renderer
       this.setAttribute('status', 'failed');
       const isMissing = error instanceof NoWebGlError;
       const { message, cause } = isMissing ? error : sentence('The view cannot be made', error);
@@ -445,6 +446,5 @@ declare global {
 }
 
 const registry = globalThis.customElements as CustomElementRegistry | undefined;
-if (registry && !registry.get('geodesic-voronoi')) {
-  registry.define('geodesic-voronoi', GeodesicVoronoiElement);
-}
+if (!registry?.get('geodesic-voronoi'))
+  registry?.define('geodesic-voronoi', GeodesicVoronoiElement);

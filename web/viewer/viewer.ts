@@ -68,11 +68,12 @@ export class Viewer implements Workpiece {
   readonly #original: OriginalLayer;
   readonly #wireframe: WireframeLayer;
   /** Ends with the viewer, which tells nothing afterwards. */
-  readonly #watching = new AbortController();
+  readonly #watching: AbortController;
 
-  /** Throws a `NoWebGlError` if there is no WebGL 2. */
-  constructor(canvas: HTMLCanvasElement, host: ViewerHost) {
-    const { signal } = this.#watching;
+  /** Throws a `NoWebGlError` if there is no WebGL 2. If it throws, its caller ends `watching`. */
+  constructor(canvas: HTMLCanvasElement, host: ViewerHost, watching: AbortController) {
+    this.#watching = watching;
+    const { signal } = watching;
     // Taken before anything listens on the canvas, because there may be no WebGL 2.
     const renderer = SharedRenderer.take(
       {
