@@ -745,6 +745,22 @@ suite('attributes and events', () => {
     assert.match(sampled.message, /^The sites cannot be placed: .*[^.]\.$/);
   });
 
+  test('a number of sites that is none is refused, and so are other numbers', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
+    const refusal = async (name, value) => {
+      const { message } = await viewer.after('error', () =>
+        viewer.evaluate((viewer, [name, value]) => viewer.setAttribute(name, value), [name, value]),
+      );
+      assert.equal(await viewer.siteCount(), 12, 'all is as before');
+      return message;
+    };
+    assert.match(await refusal('sites', 'abc'), /^The sites cannot be placed: count is "abc", not/);
+    assert.match(await refusal('sites', '-5'), /^The sites cannot be placed: count is -5, not/);
+    assert.match(await refusal('seed', 'x'), /seed is "x", not an integer/);
+    assert.match(await refusal('weld', 'tight'), /weld is "tight", not a number/);
+    assert.match(await refusal('detail', 'fine'), /detail is "fine", not an integer/);
+  });
+
   test('a model that is given up is not made ready on the page in place of the worker', async () => {
     const { page } = await browser.visit({ path: 'unplaced.html' });
     await page.waitForFunction(() => document.querySelector('[status="failed"]'));

@@ -90,18 +90,17 @@ export class Attributes {
     return {
       // The library refuses unknown metrics, in a sentence that lists the known ones.
       metric: this.#text('metric') as Metric,
-      detail: this.#number('detail'),
+      detail: this.#argument('detail'),
     };
   }
 
   get opening(): Opening {
     return {
-      // The library refuses values that make no sense.
       build: {
-        maxEdge: this.#number('max-edge'),
-        weld: this.#number('weld'),
+        maxEdge: this.#argument('max-edge'),
+        weld: this.#argument('weld'),
         orientation: this.#text('orientation') as Orientation,
-        minComponent: this.#number('min-component'),
+        minComponent: this.#argument('min-component'),
       },
       siteSampling: () => this.siteSampling,
     };
@@ -109,17 +108,17 @@ export class Attributes {
 
   get siteSampling(): SiteSampling {
     return {
-      count: Math.max(0, this.#number('sites')),
-      seed: this.#number('seed'),
+      count: this.#argument('sites'),
+      seed: this.#argument('seed'),
       sampling: this.#text('sampling') as Sampling,
-      perComponent: this.#number('per-component'),
+      perComponent: this.#argument('per-component'),
     };
   }
 
   get cvt(): CvtSettings {
     return {
       method: this.#text('cvt-method') as CvtMethod,
-      energyTolerance: Math.max(0, this.#number('cvt-tolerance')),
+      energyTolerance: this.#argument('cvt-tolerance'),
     };
   }
 
@@ -148,8 +147,14 @@ export class Attributes {
   }
 
   #number(name: string): number {
-    const text = this.#text(name).trim();
-    const number = text ? Number(text) : NaN;
+    const number = this.#argument(name);
     return Number.isFinite(number) ? number : Number(attributeDefaults[name]);
+  }
+
+  /** A number for the library. A text that is none goes there, too, to be refused as it is. */
+  #argument(name: string): number {
+    const text = this.#text(name).trim() || attributeDefaults[name];
+    const number = Number(text);
+    return Number.isNaN(number) ? (text as unknown as number) : number;
   }
 }

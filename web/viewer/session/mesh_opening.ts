@@ -180,11 +180,11 @@ export async function sampleSites(
   task: TaskOptions,
 ): Promise<PointList> {
   if (count === 0) return { face: [], bary: [] };
-  const most = Math.floor(count / mesh.info.components);
+  const most = Math.max(0, Math.floor(count / mesh.info.components));
   const sampled = mesh.sampleSites(count, {
     seed,
     sampling,
-    perComponent: Math.min(perComponent, most),
+    perComponent: perComponent > most ? most : perComponent, // also one that is no number
     // Other samplings have none.
     density: sampling === 'random' ? density : undefined,
     ...task,
