@@ -214,10 +214,14 @@ suite('hands', () => {
     await viewer.page.mouse.click(x + width / 2, y + height / 2);
     await viewer.page.locator('#note-text', { hasText: 'in the exploded view' }).waitFor();
     assert.equal(await viewer.siteCount(), 60);
-    await viewer.page.keyboard.press('Enter');
-    await viewer.page
-      .getByText('No site can be added in the exploded view', { exact: true })
-      .waitFor();
+    await viewer.set({ selected: 7 });
+    for (const key of ['Enter', 'Delete', 'Shift+ArrowLeft']) {
+      const hint = viewer.page.locator('geodesic-voronoi [part=hint]');
+      await hint.evaluate((hint) => hint.replaceChildren());
+      await viewer.page.keyboard.press(key);
+      await hint.getByText('No site can be edited in the exploded view').waitFor();
+    }
+    assert.equal(await viewer.siteCount(), 60);
     const layers = viewer.page.locator('#layers input');
     assert.ok(await layers.first().isDisabled(), 'it shows no other layer');
     await viewer.page.evaluate(() => document.querySelector('#cvt-step').click());

@@ -131,7 +131,7 @@ function setUpExploded(viewer: GeodesicVoronoiElement): void {
   viewer.addEventListener('pointerdown', () => (pressedOrbit = viewer.cameraOrbit));
   viewer.addEventListener('click', () => {
     if (viewer.exploded > 0 && viewer.diagram && viewer.cameraOrbit === pressedOrbit) {
-      endNote = showNote('No site can be added or moved in the exploded view.', end);
+      endNote = showNote('No site can be edited in the exploded view.', end);
     }
   });
   // A link may have set it, and playing a tessellation ends it.

@@ -47,7 +47,8 @@ const actions: Readonly<Record<Command, (viewer: Commanded) => void>> = {
   undo: ({ session }) => session.undo(),
   redo: ({ session }) => session.redo(),
   remove: (viewer) => {
-    if (viewer.selection.index >= 0) viewer.removeSite(viewer.selection.index);
+    const { selection, tools } = viewer;
+    if (selection.index >= 0 && tools.mayEdit()) viewer.removeSite(selection.index);
   },
   refit: (viewer) => viewer.refit(),
   cancel: (viewer) => viewer.cancel(),

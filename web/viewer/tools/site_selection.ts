@@ -14,6 +14,8 @@ interface SelectionOwner {
   readonly session: Session;
   readonly model: OpenModel | undefined;
   readonly tools: SurfaceTools;
+  /** Shows a sentence on the view for a moment. */
+  readonly hint: (sentence: string) => void;
   /** Where a site is drawn on the page; undefined if it is behind the surface. */
   sitePosition(index: number): { x: number; y: number } | undefined;
   moveSite(index: number, place: SitePlace, isSameStep: boolean): void;
@@ -63,16 +65,19 @@ export class SiteSelection {
   }
 
   /**
-   * Moves the selected site so many CSS pixels over the view; it stays where there is no surface. Until
-   * something else is done, further ones are the same step to undo.
+   * Moves the selected site so many CSS pixels over the view; where there is no surface it stays, and a
+   * hint says so. Until something else is done, further ones are the same step to undo.
    */
   nudge(right: number, down: number): void {
     const { index } = this;
-    const { session, stage, tools } = this.#owner;
+    const { hint, session, stage, tools } = this.#owner;
+    if (!tools.mayEdit()) return;
     const from = this.#owner.sitePosition(index);
-    if (!from) return;
-    const place = tools.pick(stage.toDevice(from.x + right, from.y + down));
-    if (!place) return;
+    const place = from && tools.pick(stage.toDevice(from.x + right, from.y + down));
+    if (!place) {
+      hint(index < 0 ? 'No site is selected' : 'The model is not seen there');
+      return;
+    }
     const isSame = this.#nudged?.sites === session.sites && this.#nudged.index === index;
     this.#owner.moveSite(index, place, isSame && !session.canRedo);
     this.#nudged = { index, sites: session.sites };

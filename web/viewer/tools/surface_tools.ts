@@ -82,8 +82,15 @@ export class SurfaceTools {
     if (hit) this.#work.addSite(hit);
   }
 
+  /** Whether sites can be edited by hand: not in the exploded view, as a hint says then. */
+  mayEdit(): boolean {
+    if (this.#isExploded) this.#work.hint('No site can be edited in the exploded view');
+    return !this.#isExploded;
+  }
+
   /** Does what a click at the centre of the view does: selects the site drawn there, or uses the tool. */
   useAtCentre(): void {
+    if (!this.mayEdit()) return;
     const { attributes, stage } = this.#work;
     const { left, top, width, height } = stage.canvas.getBoundingClientRect();
     const [x, y] = [left + width / 2, top + height / 2];
@@ -91,7 +98,6 @@ export class SurfaceTools {
     const site = attributes.isPainting ? undefined : this.siteAt(x, y, pointerReach);
     if (site !== undefined) this.select(site);
     else if (this.pick(device)) this.useAt(device);
-    else if (this.#isExploded) this.#work.hint('No site can be added in the exploded view');
     else this.#work.hint('The model is not at the centre of the view');
   }
 
