@@ -499,6 +499,46 @@ suite('assistive technology', () => {
       .locator('geodesic-voronoi [role=status]', { hasText: 'No site selected, of 11' })
       .waitFor({ state: 'attached' });
   });
+
+  test('hears of a site that is moved what has changed, and why it stays', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
+    await viewer.page.locator('geodesic-voronoi canvas').focus();
+    const heard = async (key, action = () => viewer.page.keyboard.press(key)) => {
+      await viewer.evaluate((viewer) => {
+        viewer.heard = [];
+        viewer.observers ??= [...viewer.shadowRoot.querySelectorAll('[role=status]')].map(
+          (status) => {
+            const tell = () => viewer.heard.push(status.textContent);
+            new MutationObserver(tell).observe(status, { childList: true });
+          },
+        );
+      });
+      await action();
+      return viewer.evaluate(({ heard }) => heard);
+    };
+    await heard('n');
+    const moved = await heard('', async () => {
+      for (let i = 0; i < 3; ++i)
+        await viewer.after('diagram', () => viewer.page.keyboard.press('Shift+ArrowLeft'));
+    });
+    assert.ok(moved.length > 0 && new Set(moved).size === moved.length, `${moved}`);
+    for (const sentence of moved) assert.match(sentence, /^Region of area [\d.]+$/);
+    await viewer.set({ selected: 3 });
+    const { face, bary } = await viewer.sites();
+    const inPlace = () =>
+      viewer.after('diagram', () =>
+        viewer.evaluate((viewer, place) => viewer.moveSite(3, place), {
+          face: face[3],
+          bary: bary.slice(9, 12),
+        }),
+      );
+    assert.deepEqual(await heard('', inPlace), [], 'nothing has changed');
+    await viewer.evaluate((viewer) => viewer.setAttribute('camera-orbit', '0deg 90deg 9000%'));
+    await viewer.drawn();
+    assert.deepEqual(await heard('Shift+ArrowUp'), ['The model is not seen there']);
+    await viewer.set({ selected: -1 });
+    assert.deepEqual(await heard('Shift+ArrowUp'), ['No site is selected']);
+  });
 });
 
 suite('attributes and events', () => {

@@ -6,8 +6,8 @@ import { measure } from '../layers/measure.js';
 import type { ReflectingElement } from './reflecting_element.js';
 
 /**
- * Announces the selected site to screen readers when the selection or its region changes, and the density
- * when it is painted or cleared.
+ * Announces to screen readers which site is selected, with the area of its region, and that area when it
+ * changes; the density when it is painted or cleared.
  */
 export function setUpAnnouncements(
   element: ReflectingElement & { readonly regionAreas: Float64Array },
@@ -15,19 +15,28 @@ export function setUpAnnouncements(
 ): void {
   let told = -1;
   let siteCount = 0;
-  const tell = () => {
-    const area = element.regionAreas[told];
-    const region = area === undefined ? '' : `, region of area ${measure(area)}`;
+  /** The area of its region, as it was told; undefined before that is there. */
+  let area: string | undefined;
+  const areaNow = () => {
+    const now = element.regionAreas[told];
+    return now === undefined ? undefined : measure(now);
+  };
+  const tellSelection = () => {
+    area = areaNow();
+    const region = area === undefined ? '' : `, region of area ${area}`;
     announce(`${told < 0 ? 'No site' : `Site ${told}`} selected, of ${siteCount}${region}`);
   };
   element.addEventListener('sites-change', ({ detail: { selected, count } }) => {
     siteCount = count;
     if (selected === told) return;
     told = selected;
-    tell();
+    tellSelection();
   });
   element.addEventListener('diagram', () => {
-    if (told >= 0) tell();
+    const now = areaNow();
+    if (now === area) return;
+    if (area === undefined) tellSelection();
+    else announce(`Region of area ${(area = now)}`);
   });
   let wasUniform = true;
   element.addEventListener('density-change', ({ detail: { isUniform } }) => {
