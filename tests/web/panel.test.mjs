@@ -86,6 +86,23 @@ suite('the panel', () => {
     assert.ok(counts < 10, `${counts} times`);
   });
 
+  test('of a long list of sites only what is seen is laid out, and it becomes short at once', async () => {
+    await viewer.after('diagram', () => viewer.evaluate((viewer) => viewer.sampleSites(300)));
+    await viewer.page.getByText('List of 300 sites').click();
+    const options = viewer.page.locator('#site-list option');
+    await options.nth(299).waitFor({ state: 'attached' });
+    const visibility = (option) => getComputedStyle(option).contentVisibility;
+    assert.equal(await options.last().evaluate(visibility), 'auto');
+    await viewer.after('diagram', () => viewer.evaluate((viewer) => viewer.sampleSites(20)));
+    const texts = await options.allTextContents();
+    assert.equal(texts.length, 20);
+    const areas = await viewer.evaluate(({ regionAreas }) => [...regionAreas]);
+    texts.forEach((text, i) => {
+      const area = Number(/^Site \d+, region of area ([\d.]+)$/.exec(text)[1]);
+      assert.ok(Math.abs(area - areas[i]) < 0.01 * areas[i], text);
+    });
+  });
+
   test('what the diagram is made of and what its stages took is told', async () => {
     const diagram = await open('torus.glb', torus());
     await showGroup('Diagram');

@@ -126,13 +126,10 @@ function setUpList(viewer: GeodesicVoronoiElement): void {
   const fill = () => {
     if (!details.open) return;
     const areas = viewer.regionAreas;
+    // Few are left: it is filled anew, since a list selects anew after each option that goes.
+    if (list.length > 2 * areas.length) list.replaceChildren();
+    list.length = Math.min(list.length, areas.length);
     const options = [...list.options]; // read once: a list counts its options whenever it is asked
-    if (options.length > areas.length) {
-      const surplus = document.createRange(); // at once: a list selects anew after each option that goes
-      surplus.selectNodeContents(list);
-      surplus.setStartBefore(options[areas.length]);
-      surplus.deleteContents();
-    }
     areas.forEach((area, i) => {
       const option = options.at(i);
       if (option && area === shown[i]) return;
