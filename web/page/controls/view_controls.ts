@@ -6,7 +6,7 @@ import { mostMislabelled } from 'geodesic-voronoi';
 import { attributeOf } from '../../viewer/attributes/attribute_defaults.js';
 import { type GeodesicVoronoiElement, type Layer, layers } from '../../viewer/element.js';
 import { bindAttributes, byId, listen, onClick, watchAttributes } from '../base/dom.js';
-import { hasNote, showNote, showNoteOnSites } from '../base/messages.js';
+import { hasNote, showNote } from '../base/messages.js';
 import { make } from '../../viewer/stage/make.js';
 import { repairDual, violationSentence } from './valid_dual.js';
 
@@ -156,28 +156,50 @@ function setUpDistance(viewer: GeodesicVoronoiElement): void {
     for (const radio of radios) radio.checked = radio.value === metric;
   });
   bindAttributes(viewer, 'detail');
-
-  const offer = () => void offerFinerTriangles(viewer);
-  listen(viewer, 'load', () => viewer.addEventListener('diagram', offer, { once: true }));
+  offerFinerTriangles(viewer);
 }
 
-/** Offers smaller triangles if those of a model are too coarse for its first diagram, and no note is shown. */
-async function offerFinerTriangles(viewer: GeodesicVoronoiElement): Promise<void> {
-  const { diagram } = viewer;
-  // A diagram that is gone needs no offer.
-  const accuracy = await diagram?.accuracy().catch(() => undefined);
-  if (!accuracy || accuracy.mislabelled <= mostMislabelled) return;
-  if (hasNote() || viewer.diagram !== diagram) return;
-  const { mislabelled, maxEdge } = accuracy;
-  showNoteOnSites(
-    viewer,
-    `The triangles are coarse: about ${Number((100 * mislabelled).toPrecision(1))} % of the area lies in the wrong region.`,
-    {
-      title: 'Finer triangles',
-      act: () => {
-        viewer.setAttribute('max-edge', String(maxEdge));
-        if (Number(attributeOf(viewer, 'detail')) === 0) viewer.setAttribute('detail', '1');
-      },
-    },
-  );
+/**
+ * Offers smaller triangles for as long as those of a model are too coarse for its sites, unless another
+ * note is shown or the offer has been closed. Sites that only move are not asked for: that would
+ * slow down every drag.
+ */
+function offerFinerTriangles(viewer: GeodesicVoronoiElement): void {
+  let asked = '';
+  let isTold = false;
+  let endNote = () => {};
+  listen(viewer, 'load', () => {
+    asked = '';
+    isTold = false;
+  });
+  const update = async (about: string) => {
+    const { diagram } = viewer;
+    // A diagram that is gone needs no offer, and neither does one without sites.
+    const accuracy = await diagram?.accuracy().catch(() => undefined);
+    if (viewer.diagram !== diagram) return;
+    asked = about;
+    const hadNote = hasNote();
+    endNote();
+    const isShown = hadNote && !hasNote();
+    const { mislabelled, maxEdge } = accuracy ?? { mislabelled: 0 };
+    if (mislabelled <= mostMislabelled) isTold = false;
+    else if (!hasNote() && (isShown || !isTold)) {
+      isTold = true;
+      const share = Number((100 * mislabelled).toPrecision(1));
+      endNote = showNote(
+        `The triangles are coarse: about ${share} % of the area lies in the wrong region.`,
+        {
+          title: 'Finer triangles',
+          act: () => {
+            viewer.setAttribute('max-edge', String(maxEdge));
+            if (Number(attributeOf(viewer, 'detail')) === 0) viewer.setAttribute('detail', '1');
+          },
+        },
+      );
+    }
+  };
+  listen(viewer, 'diagram', ({ sites, detail }) => {
+    const about = `${sites} ${detail}`;
+    if (about !== asked) void update(about);
+  });
 }
