@@ -8,7 +8,12 @@ import { suite, test } from 'node:test';
 import { bumpySphere, glb } from '../wasm/meshes.mjs';
 import { assertWorkersAreNotImported, browserForTests } from './browser.mjs';
 
-const browser = await browserForTests();
+const browser = await browserForTests({
+  '/framed.html': {
+    html: '<iframe sandbox="allow-scripts" src="/"></iframe>',
+    policy: "default-src 'self' 'unsafe-inline'",
+  },
+});
 
 const ownFile = { 'mine.glb': glb(bumpySphere(12, 16)) };
 const hasDocuments = existsSync(new URL('../../build/page/docs/index.html', import.meta.url));
@@ -629,6 +634,19 @@ suite('first sight', () => {
     assert.deepEqual((await second.sites()).face, face);
     const asking = second.page.locator('#note', { hasText: 'This link is of mine.glb' });
     assert.equal(await asking.isVisible(), false);
+  });
+
+  test('a frame that keeps scripts from the page says so, and so does a page without them', async () => {
+    const framed = await browser.visit({
+      path: 'framed.html',
+      complaint: /CORS policy|ERR_FAILED/,
+    });
+    const sentence = framed.page.frameLocator('iframe').locator('#unstyled');
+    await sentence.waitFor();
+    assert.match(await sentence.textContent(), /it needs “allow-scripts allow-same-origin”\.$/);
+    const { page } = await browser.visit({ javaScriptEnabled: false });
+    assert.match(await page.locator('#status').textContent(), /which needs JavaScript$/);
+    assert.equal(await page.locator('#unstyled').isVisible(), false);
   });
 
   test('a link that is pasted before the page is there opens its own model', async () => {
