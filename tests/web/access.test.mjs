@@ -316,6 +316,24 @@ suite('access', () => {
     assert.ok(share < 0.05, `${share} of the view is the legend's`);
   });
 
+  test('why there is no model is told beside the toolbar', async () => {
+    const viewer = await browser.visit({
+      complaint: /ERR_FAILED/,
+      prepare: (page) => page.route('**/*.ply', (route) => route.abort()),
+    });
+    const message = viewer.page.locator('geodesic-voronoi [part=message]');
+    await message.waitFor();
+    await message.evaluate((p) =>
+      p.append(' The sentence is as long as there is room for.'.repeat(3)),
+    );
+    for (const width of [1280, 800, 390]) {
+      await viewer.page.setViewportSize({ width, height: 600 });
+      const { x } = await message.boundingBox();
+      const toolbar = await viewer.page.locator('#toolbar').boundingBox();
+      assert.ok(x >= toolbar.x + toolbar.width, `in a window ${width} pixels wide`);
+    }
+  });
+
   test('the legend of distances does not lie on the first model', async () => {
     const viewer = await browser.open();
     await viewer.set({ layers: ['distances', 'sites'] });
