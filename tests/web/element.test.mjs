@@ -533,6 +533,12 @@ suite('assistive technology', () => {
         }),
       );
     assert.deepEqual(await heard('', inPlace), [], 'nothing has changed');
+    await viewer.after('diagram', () => viewer.page.keyboard.press('Delete'));
+    const brought = await heard('', () =>
+      viewer.after('diagram', () => viewer.page.keyboard.press('Control+z')),
+    );
+    assert.equal(brought[0], 'Site 3 selected, of 12', 'its area is not that of another one');
+    assert.match(brought[1], /^Site 3 selected, of 12, region of area /);
     await viewer.evaluate((viewer) => viewer.setAttribute('camera-orbit', '0deg 90deg 9000%'));
     await viewer.drawn();
     assert.deepEqual(await heard('Shift+ArrowUp'), ['The model is not seen there']);

@@ -18,8 +18,9 @@ export function setUpAnnouncements(
   /** The area of its region, as it was told; undefined before that is there. */
   let area: string | undefined;
   const areaNow = () => {
-    const now = element.regionAreas[told];
-    return now === undefined ? undefined : measure(now);
+    const { regionAreas } = element;
+    // With another number, they are those of the diagram before.
+    return told < 0 || regionAreas.length !== siteCount ? undefined : measure(regionAreas[told]);
   };
   const tellSelection = () => {
     area = areaNow();
