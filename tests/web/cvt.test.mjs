@@ -78,6 +78,7 @@ suite('the centroidal tessellation', () => {
     await press('#cvt-play');
     await reached(2);
     assert.equal(await text('#cvt-play'), 'Pause');
+    await viewer.page.locator('#status', { hasText: 'Evening out regions…' }).waitFor();
     await viewer.after('diagram', () => press('#cvt-play'));
     const paused = (await iterations()).at(-1).iteration;
     assert.equal(await viewer.evaluate(({ cvtStatus }) => cvtStatus), 'paused');

@@ -50,6 +50,7 @@ function setUpStatus(viewer: GeodesicVoronoiElement): void {
     clearTimeout(waiting);
     const work = works[now];
     if (work) tellSoon(`${work}…`);
+    else if (now === 'iterating') tellSoon('Evening out regions…');
     else if (now === 'empty') tellSoon('No model is open.');
     else if (shown) tellSoon(shown);
     if (now !== 'ready' || viewer.diagram || viewer.sites.face.length === 0) return;
