@@ -316,6 +316,21 @@ suite('access', () => {
     assert.ok(share < 0.05, `${share} of the view is the legend's`);
   });
 
+  test('a note has room for its words beside its buttons, or above them', async () => {
+    const phone = { hasTouch: true, isMobile: true };
+    const viewer = await browser.open({ viewport: { width: 844, height: 390 }, ...phone });
+    await viewer.after('exploded', () => viewer.set({ exploded: 0.5 }));
+    const { x, y, width, height } = await viewer.page.locator('#viewer').boundingBox();
+    await viewer.page.touchscreen.tap(x + width / 2, y + height / 2);
+    const text = viewer.page.locator('#note-text', { hasText: 'in the exploded view' });
+    await text.waitFor();
+    for (const width of [844, 667, 390, 320]) {
+      await viewer.page.setViewportSize({ width, height: 390 });
+      const box = await text.boundingBox();
+      assert.ok(box.width > 100, `${box.width} pixels in a window ${width} pixels wide`);
+    }
+  });
+
   test('why there is no model is told beside the toolbar', async () => {
     const viewer = await browser.visit({
       complaint: /ERR_FAILED/,
