@@ -244,6 +244,22 @@ test('tables of sites leave out removed ones', () => {
   }
 });
 
+test('summaries count sites, not labels whose site was removed', () => {
+  const sites = '{"face":[3,-1,0],"bary":[0.5,0.25,0.25,0,0,0,1,0,0]}';
+  for (const [command, summary] of [
+    ['cvt shape.glb --iterations 0', /^2 sites, 0 iterations, energy [\d.]+$/m],
+    ['diagram shape.glb', /^2 regions, /m],
+    ['partition shape.glb', /^2 regions, /m],
+    ['dual shape.glb --repair', /^(\d+) sites \((\d+) added\), /m],
+    ['remesh shape.glb --iterations 0', /^(\d+) sites \((\d+) added\), /m],
+  ]) {
+    const { stderr } = succeeds(`${command} --sites ${sites} --json -o out`);
+    assert.match(stderr, summary, command);
+    const [, count, added] = summary.exec(stderr);
+    if (added) assert.equal(count - added, 2, stderr);
+  }
+});
+
 test('a table of regions', () => {
   const partition = 'partition two.glb --sites {"vertex":[0,1,0]} -q --units cm';
   const { regions } = JSON.parse(succeeds(partition).stdout);

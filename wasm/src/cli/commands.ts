@@ -29,6 +29,7 @@ import { readNumbers, readPoints } from './points.js';
 import { withProgress } from './progress.js';
 import {
   allOnSurface,
+  countOf,
   lengthsOf,
   meshNotes,
   openMesh,
@@ -111,7 +112,7 @@ async function diagram({ mesh: path, values }: Request<'diagram'>): Promise<void
   const { arcs, voronoiPoints } = diagram.data;
   output.summarise(
     [
-      counted(diagram.regions.length, 'region'),
+      counted(countOf(diagram.sites), 'region'),
       counted(arcs.offset.length - 1, 'bisector arc'),
       counted(voronoiPoints.point.length, 'Voronoi point'),
     ].join(', '),
@@ -195,9 +196,9 @@ async function cvt({ mesh: path, values }: Request<'cvt'>): Promise<void> {
   await output.write(encode({ mesh, sites: last, position, energy }, lengthsOf(mesh, values)));
   const shown = (e: number) => (scale ** 4 * e).toPrecision(6); // area times squared length
   output.summarise(
-    `${counted(last.face.length, 'site')}, ${counted(iteration, 'iteration')}` +
+    `${counted(countOf(last), 'site')}, ${counted(iteration, 'iteration')}` +
       `${iteration > 0 && iteration === values.iterations ? ' (no more were allowed)' : ''}, ` +
-      `energy ${shown(energy[0])} to ${shown(energy.at(-1)!)}`,
+      `energy ${[...new Set([shown(energy[0]), shown(energy.at(-1)!)])].join(' to ')}`,
   );
 }
 
@@ -219,7 +220,7 @@ async function partition({ mesh: path, values }: Request<'partition'>): Promise<
     (count, i) => count === 1 && loops[i] === 1 && eulerCharacteristic[i] === 1,
   );
   output.summarise(
-    `${counted(diagram.regions.length, 'region')}, ${integer(disks.length)} of them ` +
+    `${counted(countOf(sites), 'region')}, ${integer(disks.length)} of them ` +
       `${disks.length === 1 ? 'a disk' : 'disks'}, ` +
       (region === undefined
         ? counted(label.length, 'triangle')
@@ -243,7 +244,7 @@ async function dual({ mesh: path, values }: Request<'dual'>): Promise<void> {
   await output.write(
     encode({ mesh, sites: diagram.sites, polygons, violations }, lengthsOf(mesh, values)),
   );
-  output.summarise(polygonSummary(given.sites.face.length, diagram, polygons));
+  output.summarise(polygonSummary(countOf(given.sites), diagram, polygons));
   if (violations.length === 0) return;
   if (values.quiet) {
     process.stderr.write(`warning: ${faultsOf(violations)}\n`);
@@ -284,7 +285,7 @@ async function remesh({ mesh: path, values }: Request<'remesh'>): Promise<void> 
   );
   const number = (x: number) => String(Number(x.toPrecision(4)));
   output.summarise(
-    `${polygonSummary(sites.face.length, diagram, polygons)}\n` +
+    `${polygonSummary(countOf(sites), diagram, polygons)}\n` +
       `${counted(quality.triangles, 'triangle')}: least angle ${number(quality.minAngle)}°, ` +
       `mean of the least ones ${number(quality.meanMinAngle)}°; ` +
       `valence ${quality.minValence} to ${quality.maxValence}, ` +
@@ -322,10 +323,11 @@ async function explained<Result>(mesh: Mesh, repair: () => Promise<Result>): Pro
 }
 
 function polygonSummary(first: number, diagram: Diagram, { topology }: PolygonMesh): string {
-  const added = diagram.sites.face.length - first;
+  const sites = countOf(diagram.sites);
+  const added = sites - first;
   const { vertices, faces, eulerCharacteristic, genus, boundaryLoops, isManifold } = topology;
   return (
-    `${counted(diagram.sites.face.length, 'site')}${added > 0 ? ` (${integer(added)} added)` : ''}, ` +
+    `${counted(sites, 'site')}${added > 0 ? ` (${integer(added)} added)` : ''}, ` +
     `${counted(vertices, 'vertex', 'vertices')}, ${counted(faces, 'polygon')}, ` +
     (isManifold
       ? `Euler characteristic ${eulerCharacteristic}, genus ${genus}, ${counted(boundaryLoops, 'boundary loop')}`

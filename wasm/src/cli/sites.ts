@@ -64,6 +64,11 @@ export async function openWithSites(
   return { mesh, sites };
 }
 
+/** How many sites there are, without the labels whose site was removed. */
+export function countOf({ face }: SurfacePoints): number {
+  return face.filter((each) => each >= 0).length;
+}
+
 export function writeNotes(notes: string[], { quiet }: Notices): void {
   if (!quiet) for (const note of notes) process.stderr.write(`note: ${note}\n`);
 }
