@@ -289,6 +289,26 @@ test('a point before subdivision stays on its triangle where surfaces touch', as
   before.forEach((x, i) => i < 3 || near(now[i], x));
 });
 
+test('a point may be outside its triangle by the tolerance of the core, also before subdivision', async () => {
+  const [whole, finer] = [await gvd.mesh(grid(1)), await gvd.mesh(grid(1), { maxEdge: 0.01 })];
+  const at = (b) => ({ face: [1], bary: [b, 0.5, 0.5 - b] });
+  const [within, beyond] = [at(-0.9e-6), at(-1.1e-6)];
+  const wrong = {
+    code: 'invalid-point',
+    message: /point 0: the barycentric coordinate .* is negative/,
+  };
+  const diagram = await whole.voronoi({ vertex: 0 });
+  for (const check of [
+    (points) => diagram.locate(points),
+    (points) => whole.positionsOf(points),
+    (points) => whole.readPoints(points),
+    async (points) => finer.voronoi(await finer.readPoints({ mesh: { faces: 2 }, sites: points })),
+  ]) {
+    await check(within);
+    await assert.rejects(check(beyond), wrong);
+  }
+});
+
 test('the parts of a model are told by their triangles after subdivision', async () => {
   const bytes = glb(apart(octahedron(), grid(2)));
   const [whole, mesh] = [await gvd.mesh(bytes), await gvd.mesh(bytes, { maxEdge: 0.1 })];

@@ -23,7 +23,7 @@ export function pointsOnChildren(points: SurfacePoints, subdivision: Subdivision
   for (const [i, face] of points.face.entries()) {
     const children = childrenOf.get(face) ?? childrenOfTriangle(face, subdivision);
     childrenOf.set(face, children);
-    const [x, y, z] = points.bary.subarray(3 * i, 3 * i + 3);
+    const [x, y, z] = inside(points.bary.subarray(3 * i, 3 * i + 3));
     let deepest = -Infinity;
     for (const child of children) {
       const bary = child.rows.map((row) => row[0] * x + row[1] * y + row[2] * z);
@@ -35,6 +35,14 @@ export function pointsOnChildren(points: SurfacePoints, subdivision: Subdivision
     }
   }
   return found;
+}
+
+/** Coordinates without what the tolerance lets be negative: in a small child, that would be more. */
+function inside(bary: Float64Array): Float64Array {
+  if (bary.every((b) => b >= 0)) return bary;
+  const clamped = bary.map((b) => Math.max(b, 0));
+  const sum = clamped[0] + clamped[1] + clamped[2];
+  return clamped.map((b) => b / sum);
 }
 
 function childrenOfTriangle(
