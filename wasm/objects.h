@@ -115,7 +115,15 @@ class PointLookup : public SlicedWork<Record> {
 Metric metricOf(Text name);
 WorstRegion worstRegionOf(Text name);
 
-/// Calls `f`; its error, if any, is said to be about `what` number `index`.
+/// Calls `f`; its error, if any, is said to be about `what`, or number `index` of these.
+template <class F>
+auto naming(const char* what, F&& f) -> decltype(f()) {
+  try {
+    return f();
+  } catch (const Error& error) {
+    throw Error(error.code(), std::string(what) + ": " + error.what());
+  }
+}
 template <class F>
 auto naming(const char* what, std::size_t index, F&& f) -> decltype(f()) {
   try {

@@ -373,6 +373,8 @@ test('points, wherever they are taken', async () => {
       await refused(strayPoints, f, /./, 'invalid-point');
     }
   }
+  for (const name of ['from', 'to'])
+    await refused(strayPoints, takers[name][0], new RegExp(`^${name}: `), 'invalid-point');
   const single = ['from', 'to', 'point', 'site'].flatMap((name) => takers[name]);
   for (const f of single)
     await refused([{ vertex: [] }, { vertex: [0, 1] }], f, /is a list of \d points/);

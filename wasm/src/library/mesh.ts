@@ -222,9 +222,9 @@ export class EngineMesh implements Mesh {
     options?: TaskOptions,
   ): Promise<SurfacePath> {
     const task = toTask(options);
-    const ends = [toPoint('from', from), toPoint('to', to)];
-    const start = await this.#object.onSurface(ends[0], task);
-    const end = await this.#object.onSurface(ends[1], task);
+    const ends = { from: toPoint('from', from), to: toPoint('to', to) };
+    const start = await this.#object.onSurface(ends.from, task).catch(naming('from'));
+    const end = await this.#object.onSurface(ends.to, task).catch(naming('to'));
     return this.#object.call('shortestPath', [start.face, start.bary, end.face, end.bary], task);
   }
 
@@ -326,6 +326,14 @@ export class EngineMesh implements Mesh {
   [disposeSymbol](): void {
     this.dispose();
   }
+}
+
+/** Says of the error of a point which one it is about. */
+function naming(name: string): (error: unknown) => never {
+  return (error) => {
+    if (!(error instanceof GeodesicVoronoiError) || error.code !== 'invalid-point') throw error;
+    throw new GeodesicVoronoiError(error.code, `${name}: ${error.message}`, { cause: error });
+  };
 }
 
 /** The arguments of `cvt`, checked and copied. */
