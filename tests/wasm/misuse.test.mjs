@@ -7,7 +7,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import * as api from 'geodesic-voronoi';
 import { BufferGeometry, Mesh } from 'three';
-import { glb, octahedron } from './meshes.mjs';
+import { bumpySphere, glb, octahedron } from './meshes.mjs';
 
 const { load, loadWorker } = api;
 
@@ -208,17 +208,29 @@ test('mesh', async () => {
   );
 });
 
-test('arrays for which there is no memory', async (t) => {
-  const { positions, indices } = octahedron();
-  t.after(() => (globalThis.Float64Array = own));
+/** Has `f` find no memory for arrays. */
+async function refusedWithoutMemory(f) {
   const own = Float64Array;
   globalThis.Float64Array = class {
     constructor() {
       throw new RangeError('Array buffer allocation failed');
     }
   };
-  const copy = () => gvd.mesh({ positions, indices });
-  await refused([undefined], copy, /not enough memory/, 'out-of-memory');
+  try {
+    await refused([undefined], f, /not enough memory/, 'out-of-memory');
+  } finally {
+    globalThis.Float64Array = own;
+  }
+}
+
+test('arrays for which there is no memory', async () => {
+  const { positions, indices } = octahedron();
+  await refusedWithoutMemory(() => gvd.mesh({ positions, indices }));
+  const sphere = await gvd.mesh(bumpySphere(24, 36));
+  const changed = await sphere.voronoi(await sphere.sampleSites(30));
+  await changed.moveSite(0, { vertex: 5 });
+  await refusedWithoutMemory(() => changed.data);
+  assert.equal(changed.data.regionArea.length, 30, 'merged later');
 });
 
 /** What takes a signal and tells how far it is. */

@@ -7,7 +7,7 @@ import { appendChange, areLarge, changedData, changedSites } from './change.js';
 import { toTask, toTaskOptions } from '../base/checks.js';
 import type { DiagramForm, Engine, OpenedDiagram } from '../engine/engine.js';
 import { diagramJson, type DiagramJson } from '../output/diagram_formats.js';
-import type { GeodesicVoronoiError } from '../api/errors.js';
+import { type GeodesicVoronoiError, outOfMemory } from '../api/errors.js';
 import { checked, repairDefaults, toPoint, toPoints, type GivenPoints } from './arguments.js';
 import { EngineObject } from './engine_object.js';
 import { disposeSymbol, inspectSymbol, tagSymbol } from '../base/symbols.js';
@@ -90,8 +90,12 @@ export class EngineDiagram implements Diagram {
   }
 
   #mergeChanges(): void {
-    if (this.#changes.length > 0)
+    if (this.#changes.length === 0) return;
+    try {
       this.#data = changedData(this.#data, this.#changes, this.#sites.face.length);
+    } catch (cause) {
+      throw cause instanceof RangeError ? outOfMemory(cause) : cause;
+    }
     this.#changes = [];
   }
 
@@ -167,18 +171,24 @@ export class EngineDiagram implements Diagram {
       const all = site ? [...args, site.face, site.bary] : args;
       const change = await this.#object
         .call<DiagramChange>(name, all, { onProgress: report })
+        .then((made) => this.#take(made, site))
         .catch((error) => {
           // The engine's diagram has changed, but for all of its arrays there was no memory.
           if ((error as GeodesicVoronoiError).code === 'out-of-memory') this.dispose();
           throw error;
         });
-      this.#sites = changedSites(this.#sites, change.label, site);
-      appendChange(this.#changes, change);
-      if (areLarge(this.#changes, this.#data)) this.#mergeChanges();
-      this.#regions = undefined;
       if (fault) throw fault.error;
       return change;
     });
+  }
+
+  /** Takes over a change that the engine made; `site` is the new place, if there is one. */
+  #take(change: DiagramChange, site: SurfacePoints | undefined): DiagramChange {
+    this.#sites = changedSites(this.#sites, change.label, site);
+    appendChange(this.#changes, change);
+    this.#regions = undefined;
+    if (areLarge(this.#changes, this.#data)) this.#mergeChanges();
+    return change;
   }
 
   /** Asks core.wasm about the diagram, in turn. */
