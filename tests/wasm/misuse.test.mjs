@@ -393,6 +393,21 @@ test('points, wherever they are taken', async () => {
   for (const f of takers.sites) await refused([{ vertex: [] }], f, /site/);
 });
 
+test('results that pointsJson has no points of', async () => {
+  const { pointsJson } = api;
+  await refused(
+    [one, { position: [0, 0, 0] }],
+    pointsJson,
+    /^points has no face: it needs face, bary$/,
+  );
+  await refused(
+    [diagram, await mesh.distances(one)],
+    pointsJson,
+    /^points is a result: pass its sites$/,
+  );
+  await refused([diagram.data], api.diagramJson, /^diagram has no sites: it needs sites, data$/);
+});
+
 test('what is not points or a mesh, but has some', async () => {
   for (const [sites, message] of [
     [diagram, /^sites is a result: pass its sites$/],
@@ -516,7 +531,7 @@ test('what writes files', async () => {
   const [result, list, missing] = [
     [...notObjects, {}, []],
     [...notObjects, {}],
-    /^(\w+|paths\[0\])(\.\w+)? is /,
+    /^(\w+|paths\[0\])(\.\w+)? (is|has no) /,
   ];
   for (const f of [
     api.diagramJson,

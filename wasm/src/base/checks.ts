@@ -147,7 +147,9 @@ export function toResult<Result extends object>(
   if (isA(value, 'Promise')) throw invalidArgument(`${name} is a promise: await it`);
   const missing = fields.find((field) => !isObject(value[field]));
   if (missing === undefined) return value;
-  throw invalidArgument(`${name}.${missing} is ${show(value[missing])}, not an object`);
+  if (value[missing] !== undefined)
+    throw invalidArgument(`${name}.${missing} is ${show(value[missing])}, not an object`);
+  throw invalidArgument(`${name} has no ${missing}: it needs ${fields.join(', ')}`);
 }
 
 export function requireBytes(name: string, bytes: Uint8Array): void {

@@ -2,7 +2,8 @@
 //
 // What the JSON forms of several results have in common: points, and the unit of lengths.
 
-import { toResult } from '../base/checks.js';
+import { isObject, toResult } from '../base/checks.js';
+import { invalidArgument } from '../api/errors.js';
 import type { PlacedPoints, SurfacePoints } from '../api/results.js';
 
 /** The JSON form of a list of points. */
@@ -26,6 +27,8 @@ export function lengthsJson({ scale, unit }: LengthsJson): LengthsJson {
 }
 
 export function pointsJson(points: SurfacePoints): SurfacePointsJson {
+  if (isObject(points) && 'sites' in points)
+    throw invalidArgument('points is a result: pass its sites');
   const { face, bary } = toResult('points', points, 'face', 'bary');
   return { face: [...face], bary: [...bary] };
 }
