@@ -92,7 +92,7 @@ function csv(columns: { [name: string]: ArrayLike<number> }): string {
   const lists = Object.values(columns);
   const cell = (x: number) => (Number.isFinite(x) ? String(x) : '');
   const rows = Array.from(lists[0], (_, i) => lists.map((list) => cell(list[i])).join(','));
-  return `${[Object.keys(columns).join(','), ...rows].join('\n')}\n`;
+  return textOf(() => `${[Object.keys(columns).join(','), ...rows].join('\n')}\n`);
 }
 
 /** The numbers at one place in each group of `size`. */
