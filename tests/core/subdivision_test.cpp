@@ -206,9 +206,10 @@ TEST(Subdivision, RejectsWhatItCannotDo) {
             "maxEdge is nan, not above 0 and at most 1");
   EXPECT_EQ(error({.maxEdge = 0.1, .maxTriangles = 0}), "maxTriangles is 0, not positive");
   EXPECT_EQ(error({.maxEdge = 0.1, .maxTriangles = 40}),
-            "with maxEdge 0.1 there would be more than 40 triangles");
+            "with no edge longer than 0.1 of the diagonal, there would be more than 40 triangles");
   EXPECT_EQ(error({.maxEdge = 1e-300, .maxTriangles = 1000000}),
-            "with maxEdge 1e-300 there would be more than 1000000 triangles");
+            "with no edge longer than 1e-300 of the diagonal, there would be more than 1000000 "
+            "triangles");
   EXPECT_EQ(errorOf(
                 [&] {
                   subdivide(shape.positions, {0, 1, 9}, {.maxEdge = 0.1});

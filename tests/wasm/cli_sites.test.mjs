@@ -288,6 +288,18 @@ test('cvt with sites that stay, and with a density', () => {
     /the number of densities is 2, not that of input vertices, \d+/,
   );
   fails(1, 'cvt shape.glb --sites 5 --density object.json', /object\.json holds no list/);
+  write('half.json', '[1, 0.5]');
+  write('minus.json', '[1, -1]');
+  fails(
+    1,
+    'cvt shape.glb --sites 5 --density minus.json',
+    /: minus\.json: number 1 is -1, not a number from 0$/m,
+  );
+  fails(
+    1,
+    'cvt shape.glb --sites 5 --fixed-sites half.json',
+    /: half\.json: number 1 is 0\.5, not an integer from 0 to \d+$/m,
+  );
   write('beyond.json', '[9]');
   fails(1, 'cvt shape.glb --sites 5 --fixed-sites beyond.json', /site 9/);
 });

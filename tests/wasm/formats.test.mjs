@@ -210,7 +210,7 @@ test('coordinates too large for 32 bits are refused by the formats that have no 
   ])
     assert.throws(() => write({ scale: 1e60 }), {
       code: 'invalid-argument',
-      message: /^scale is 1e\+60: coordinates are too large then for the numbers of an? (GLB|STL)/,
+      message: /^multiplied by 1e\+60, coordinates are too large for the numbers of an? (GLB|STL)/,
     });
 });
 

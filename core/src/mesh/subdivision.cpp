@@ -143,7 +143,8 @@ class Subdivision final : public SlicedWork<SubdividedTriangles> {
 
   void count() {
     if (partCount_++ < options_.maxTriangles) return;
-    rejectArgument("with maxEdge " + numberText(options_.maxEdge) + " there would be more than " +
+    rejectArgument("with no edge longer than " + numberText(options_.maxEdge) +
+                   " of the diagonal, there would be more than " +
                    std::to_string(options_.maxTriangles) + " triangles");
   }
 

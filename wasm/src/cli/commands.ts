@@ -4,7 +4,9 @@
 
 import { GeodesicVoronoiError } from '../api/errors.js';
 import type { MeshInfo, PolygonMesh, Violation } from '../api/results.js';
+import { length, type Rule } from '../base/rules.js';
 import { counted, integer } from '../base/sentences.js';
+import { rules } from '../library/arguments.js';
 import type { CvtOptions } from '../api/options.js';
 import type { CvtState, Diagram, Mesh } from '../api/types.js';
 import { noteCoarseTessellation, openDiagram } from './diagrams.js';
@@ -299,10 +301,11 @@ async function remesh({ mesh: path, values }: Request<'remesh'>): Promise<void> 
 async function cvtSettings(values: Values<'cvt'>): Promise<CvtOptions> {
   const { method, metric, iterations, 'energy-tolerance': energyTolerance } = values;
   const moveTolerance = values['move-tolerance'] / values.units.scale;
-  const numbers = (file?: string) => (file === undefined ? undefined : readNumbers(file));
+  const numbers = (file: string | undefined, rule: Rule) =>
+    file === undefined ? undefined : readNumbers(file, rule);
   const named = (['attribute', 'curvature'] as const).find((name) => name === values.density);
-  const density = named ?? (await numbers(values.density));
-  const fixedSites = await numbers(values['fixed-sites']);
+  const density = named ?? (await numbers(values.density, length));
+  const fixedSites = await numbers(values['fixed-sites'], rules.label);
   return { method, metric, iterations, energyTolerance, moveTolerance, density, fixedSites };
 }
 

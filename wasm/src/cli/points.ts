@@ -2,16 +2,22 @@
 //
 // Lists that the command reads: points and numbers.
 
+import { show } from '../base/checks.js';
+import type { Rule } from '../base/rules.js';
 import { isJson, readJson, readPointsFile } from '../input/points_reader.js';
 import { type PointsFile, pointsFile } from '../input/points_file.js';
 import { exists, FileError, readBytes } from './files.js';
 import { standard } from './options.js';
 
-/** Reads a list of numbers. */
-export async function readNumbers(given: string): Promise<number[]> {
+/** Reads a list of numbers, each of which the rule allows. */
+export async function readNumbers(given: string, rule: Rule): Promise<number[]> {
   const json = await readAs(given, async (bytes) => readJson(bytes));
-  if (Array.isArray(json) && json.every((item) => typeof item === 'number')) return json;
-  throw new FileError(`${nameOf(given)} holds no list of numbers`);
+  if (!Array.isArray(json)) throw new FileError(`${nameOf(given)} holds no list of numbers`);
+  const wrong = json.findIndex((item) => !rule.allows(item));
+  if (wrong < 0) return json;
+  throw new FileError(
+    `${nameOf(given)}: number ${wrong} is ${show(json[wrong])}, not ${rule.words}`,
+  );
 }
 
 /** Points as they were given, with the name that messages call them. */

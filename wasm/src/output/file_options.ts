@@ -58,7 +58,7 @@ export function toFloat32(coordinate: number, scale: number, format: 'a GLB' | '
   const rounded = Math.fround(coordinate);
   if (Number.isFinite(rounded)) return rounded;
   throw invalidArgument(
-    `scale is ${scale}: coordinates are too large then for the numbers of ${format}, of 32 bits`,
+    `multiplied by ${scale}, coordinates are too large for the numbers of ${format}, of 32 bits`,
   );
 }
 
