@@ -9,6 +9,7 @@ import { test } from 'node:test';
 import { fails, folder, read, succeeds, write } from './command.mjs';
 import { assertValidGlb, readPly } from './files.mjs';
 import { glb, grid } from './meshes.mjs';
+import { locatedEncoders } from '../../dist/cli/encoders.js';
 import { near } from './expectations.mjs';
 
 test('diagram as JSON, to a file or to standard output', () => {
@@ -231,6 +232,21 @@ test('tables of located points, distances and sites', () => {
     ...[0, 1, 2].map((i) => position.slice(3 * i, 3 * i + 3).map(String)),
   ]);
   succeeds('diagram shape.glb --sites s.csv -q');
+});
+
+test('a table longer than a string may be is refused by a sentence', (t) => {
+  const { join } = Array.prototype;
+  t.after(() => {
+    Array.prototype.join = join;
+  });
+  Array.prototype.join = function (separator) {
+    if (separator === '\n') throw new RangeError('Invalid string length');
+    return join.call(this, separator);
+  };
+  assert.throws(() => locatedEncoders['.csv']({ label: [0], distance: [0] }, { scale: 1 }), {
+    code: 'out-of-memory',
+    message: /longer than a string may be/,
+  });
 });
 
 test('tables of sites leave out removed ones', () => {
