@@ -313,7 +313,8 @@ class Repairing final : public SlicedWork<RepairedSites> {
     const int count = static_cast<int>(found_.size());
     if (count > most_ - repaired_.added)
       throw Error(ErrorCode::kTooFewSites,
-                  "the dual is not valid with as many sites as may be added: " +
+                  "the dual is not valid with as many sites as may be added, perhaps because "
+                  "triangles are too long: " +
                       finding_->firstViolation());
     repaired_.added += count;
   }

@@ -309,19 +309,19 @@ async function cvtSettings(values: Values<'cvt'>): Promise<CvtOptions> {
   return { method, metric, iterations, energyTolerance, moveTolerance, density, fixedSites };
 }
 
-/** Carries a repair out; if that would take too many sites on a mesh of many components, says what may help. */
+/** Carries a repair out; if as many sites as may be added are too few, says what may help. */
 async function explained<Result>(mesh: Mesh, repair: () => Promise<Result>): Promise<Result> {
   try {
     return await repair();
   } catch (error) {
+    if (!(error instanceof GeodesicVoronoiError) || error.code !== 'too-few-sites') throw error;
     const { components } = mesh.info;
-    const isTooFew = error instanceof GeodesicVoronoiError && error.code === 'too-few-sites';
-    if (components === 1 || !isTooFew) throw error;
-    throw new FileError(
-      `${(error as Error).message} (the mesh has ${components} components: --min-component drops small ones, ` +
-        '--per-component 3 begins with sites on each)',
-      { cause: error },
-    );
+    const advice =
+      components === 1
+        ? '--max-edge 0.05 makes triangles shorter, --max-added allows more sites'
+        : `the mesh has ${components} components: --min-component drops small ones, ` +
+          '--per-component 3 begins with sites on each';
+    throw new FileError(`${error.message} (${advice})`, { cause: error });
   }
 }
 
