@@ -34,6 +34,10 @@ test('points in a file are read in every form', async () => {
 
 test('points in a file are refused where they are none, or are those of another mesh', async () => {
   const plane = await gvd.mesh(grid(1));
+  await assert.rejects(
+    mesh.readPoints('{"vertex": [0]}'),
+    fails('invalid-argument', 'this is a text: parse it by JSON.parse'),
+  );
   for (const json of [null, 7, [], {}, { face: [0] }, { sites: {} }]) {
     await assert.rejects(
       mesh.readPoints(json),

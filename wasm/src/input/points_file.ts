@@ -19,6 +19,7 @@ export interface PointsFile {
 export function pointsFile(json: unknown): PointsFile {
   const points = has(json, 'sites') ? json.sites : json;
   const isList = has(points, 'face') && has(points, 'bary');
+  if (typeof json === 'string') throw invalidArgument('this is a text: parse it by JSON.parse');
   if (!isList && !has(points, 'vertex') && !has(points, 'position')) {
     throw invalidArgument(
       'there are no points: {"face": […], "bary": […]}, {"vertex": […]} or {"position": [x, y, z, …]}',
