@@ -76,7 +76,12 @@ for (const [what, line, status, pattern] of [
   ['no room for an error', 'gv info nowhere.glb 2>/dev/full', 1, /^$/],
   ['no standard error', 'gv info nowhere.glb 2>&-', 1, /^$/],
   ['no standard input', 'gv info - <&-', 1, oneLine('file is empty')],
-  ['an empty standard input', 'gv info - </dev/null', 1, oneLine('file is empty')],
+  [
+    'an empty standard input',
+    'gv info - </dev/null',
+    1,
+    oneLine('standard input: the file is empty'),
+  ],
   ['a device for a model', 'gv info /dev/zero', 1, oneLine('/dev/zero is a device and no file')],
   [
     'a device for sites',

@@ -333,7 +333,7 @@ test('partition as STL: all regions, or one of them', () => {
   fails(
     1,
     'partition shape.glb --sites 3 --region 3 -q -o part.stl',
-    /region is 3, not an integer/,
+    /: --region is 3, not an integer from -1 to 2$/m,
   );
   fails(2, 'partition shape.glb --sites 3 --region 0 -o a.obj', /--region is about \.stl files/);
 });

@@ -300,6 +300,7 @@ test('cvt with sites that stay, and with a density', () => {
     'cvt shape.glb --sites 5 --fixed-sites half.json',
     /: half\.json: number 1 is 0\.5, not an integer from 0 to \d+$/m,
   );
+  fails(1, 'cvt shape.glb --sites 5 --fixed-sites 0,2', /no file 0,2; .* as '\[0,2\]'$/m);
   write('beyond.json', '[9]');
   fails(1, 'cvt shape.glb --sites 5 --fixed-sites beyond.json', /site 9/);
 });

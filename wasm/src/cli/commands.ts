@@ -4,7 +4,7 @@
 
 import { GeodesicVoronoiError } from '../api/errors.js';
 import type { MeshInfo, PolygonMesh, Violation } from '../api/results.js';
-import { length, type Rule } from '../base/rules.js';
+import { integers, length, type Rule } from '../base/rules.js';
 import { counted, integer } from '../base/sentences.js';
 import { rules } from '../library/arguments.js';
 import type { CvtOptions } from '../api/options.js';
@@ -209,12 +209,15 @@ async function partition({ mesh: path, values }: Request<'partition'>): Promise<
   const encode = encoderOf(partitionEncoders, values);
   const output = await Output.open(values);
   const { mesh, diagram } = await openDiagram(path, output, values);
+  const { sites } = diagram;
+  const { layout, region } = values;
+  const ofDiagram = integers(-1, sites.face.length - 1);
+  if (region !== undefined && !ofDiagram.allows(region))
+    throw new FileError(`--region is ${region}, not ${ofDiagram.words}`);
   const partition = await diagram.partition({
     leaveOutIndifferent: values['leave-out-indifferent'],
     leaveOutUnreachable: values['leave-out-unreachable'],
   });
-  const { sites } = diagram;
-  const { layout, region } = values;
   await output.write(encode({ mesh, sites, partition, layout, region }, lengthsOf(mesh, values)));
   const { components, loops, eulerCharacteristic } = partition.regions;
   const { label } = partition.triangles;

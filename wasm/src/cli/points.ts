@@ -11,6 +11,8 @@ import { standard } from './options.js';
 
 /** Reads a list of numbers, each of which the rule allows. */
 export async function readNumbers(given: string, rule: Rule): Promise<number[]> {
+  if (/^\d+(,\d+)*$/.test(given) && !(await exists(given)))
+    throw new FileError(`there is no file ${given}; a list of numbers is given as '[${given}]'`);
   const json = await readAs(given, async (bytes) => readJson(bytes));
   if (!Array.isArray(json)) throw new FileError(`${nameOf(given)} holds no list of numbers`);
   const wrong = json.findIndex((item) => !rule.allows(item));
@@ -42,7 +44,8 @@ async function readAs<Content>(
   });
 }
 
-function nameOf(given: string): string {
+/** What messages call a file, or the JSON that is given instead. */
+export function nameOf(given: string): string {
   if (given === standard) return 'standard input';
   return isJson(given) && given.length > 40 ? `${given.slice(0, 40)}…` : given;
 }

@@ -11,7 +11,7 @@ import type { Density } from '../api/options.js';
 import type { Mesh } from '../api/types.js';
 import { FileError, type Output, readModel } from './files.js';
 import { areRandom, standard, type Values } from './options.js';
-import { type NamedPoints, readPoints } from './points.js';
+import { nameOf, type NamedPoints, readPoints } from './points.js';
 import { withProgress } from './progress.js';
 import type { Lengths } from './values.js';
 
@@ -36,7 +36,9 @@ export async function openMesh(
     const isUnclear = error instanceof GeodesicVoronoiError && error.code === 'several-models';
     const advice =
       path === standard ? ', as FILE#PATH of a file that is saved' : `, as ${path}#PATH`;
-    throw new FileError(`${path}: ${error.message}${isUnclear ? advice : ''}`, { cause: error });
+    throw new FileError(`${nameOf(path)}: ${error.message}${isUnclear ? advice : ''}`, {
+      cause: error,
+    });
   });
   output.requireNoModel();
   const { format } = mesh.info.origin;
