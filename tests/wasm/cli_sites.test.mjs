@@ -14,12 +14,15 @@ test('sites and points by their coordinates', () => {
   write('places.json', '{"position": [1, 0, 0, 0, 2, 0]}');
   write('corners.json', '{"vertex": [0, 2]}');
   const { stderr } = succeeds('diagram shape.glb --sites places.json --units cm -o d.json');
-  assert.match(stderr, /^note: the farthest of 2 places is 100\.0 from the surface\n2 regions/);
+  assert.match(
+    stderr,
+    /^note: places\.json: the farthest of 2 places is 100\.0 from the surface\n2 regions/,
+  );
   assert.equal(succeeds('diagram shape.glb --sites places.json -q -o d.json').stderr, '');
   const one = succeeds('diagram shape.glb --sites {"position":[0,0,2]} -o d.json').stderr;
-  assert.match(one, /^note: the place is 1\.000 from the surface\n/);
+  assert.match(one, /^note: \S+: the place is 1\.000 from the surface\n/);
   const far = succeeds('diagram shape.glb --sites {"position":[0,0,1000]} -q -o d.json').stderr;
-  assert.equal(far, 'warning: the place is 999.0 from the surface\n');
+  assert.equal(far, 'warning: {"position":[0,0,1000]}: the place is 999.0 from the surface\n');
   const located = JSON.parse(
     succeeds('locate shape.glb --sites places.json --points places.json').stdout,
   );

@@ -82,9 +82,9 @@ export async function onSurface(
   values: Pick<Values<'diagram'>, 'quiet' | 'units'>,
 ): Promise<SurfacePoints> {
   try {
-    const { points, faces } = given;
+    const { name, points, faces } = given;
     const list = toPoints('points', points);
-    if ('position' in list) return await closestOf(mesh, list.position, values);
+    if ('position' in list) return await closestOf(mesh, name, list.position, values);
     return await mesh.readPoints(faces === undefined ? points : { mesh: { faces }, sites: points });
   } catch (error) {
     throw new FileError(`${given.name}: ${(error as Error).message}`, { cause: error });
@@ -101,8 +101,10 @@ export async function allOnSurface(
   throw new FileError(`${given.name}: point ${removed} is a site that was removed`);
 }
 
+/** The points closest to places, which messages call by their name. */
 async function closestOf(
   mesh: Mesh,
+  name: string,
   places: Float64Array,
   { quiet, units }: Pick<Values<'diagram'>, 'quiet' | 'units'>,
 ): Promise<SurfacePoints> {
@@ -114,7 +116,7 @@ async function closestOf(
     const count = closest.face.length;
     const places = count === 1 ? 'the place is' : `the farthest of ${count} places is`;
     process.stderr.write(
-      `${isFar ? 'warning' : 'note'}: ${places} ${(units.scale * farthest).toPrecision(4)} from the surface\n`,
+      `${isFar ? 'warning' : 'note'}: ${name}: ${places} ${(units.scale * farthest).toPrecision(4)} from the surface\n`,
     );
   }
   return closest;
