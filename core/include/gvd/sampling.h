@@ -79,9 +79,9 @@ struct PoissonDisk {
 /// and with errors where shortest paths bend at vertices. On long thin triangles, such as those of
 /// mechanical parts, a distance may come out several times too long, also along straight lines, so
 /// by exact distances some points are much nearer than `radius`.
-/// Throws `Error(kInvalidArgument)` if the radius is not positive and finite. About 0.7 · area /
-/// radius² points; each takes time in proportion to the vertices within `radius` of it, and each
-/// vertex that is added, a pass over all vertices.
+/// About 0.7 · area / radius² points; each takes time in proportion to the vertices within `radius`
+/// of it, and each vertex that is added, a pass over all vertices. Throws `Error(kInvalidArgument)`
+/// if the radius is not positive and finite, or if an `int` cannot count so many points.
 /// Source: Robert Cook. Stochastic Sampling in Computer Graphics. 1986.
 PoissonDisk samplePoissonDisk(const TriangleMesh& mesh, double radius, std::uint64_t seed);
 

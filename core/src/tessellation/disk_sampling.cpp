@@ -12,6 +12,7 @@
 #include <optional>
 #include <random>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -179,6 +180,10 @@ std::unique_ptr<SlicedWork<PoissonDisk>> startPoissonDisk(const TriangleMesh& me
                                                           std::uint64_t seed) {
   if (!(radius > 0 && std::isfinite(radius)))
     rejectArgument("a Poisson disk cannot have the radius " + numberText(radius));
+  constexpr int kMost = std::numeric_limits<int>::max();
+  if (0.7 * mesh.area() / (radius * radius) > kMost)
+    rejectArgument("with the radius " + numberText(radius) + " there would be more than " +
+                   std::to_string(kMost) + " Poisson disks");
   return std::make_unique<DiskSampling>(mesh, std::nullopt, radius, seed);
 }
 
