@@ -35,23 +35,21 @@ PatchMeasuring::PatchMeasuring(const TriangleMesh& mesh, int siteCount,
 bool PatchMeasuring::step(long& budget) {
   const std::size_t triangles = partition_.triangles.size(), halfedges = 3 * triangles,
                     vertices = partition_.points.size();
+  const auto forTriangles = [&](auto body) { return forEach(triangles, budget, 8, body); };
+  const auto forLabels = [&](auto body) {
+    return forEach(sums_, budget, 1, [body](int i) { body(i - 1); });
+  };
   return sequence_.run(
       [&] { return fillInSlices(isSeen_, triangles, '\0', budget); },
       [&] { return fillInSlices(isWalked_, halfedges, '\0', budget); },
-      [&] { return fillInSlices(isCounted_, vertices, '\0', budget); },
       [&] { return fillInSlices(lastLabel_, vertices, kNoLabel, budget); },
       [&] { return fillInSlices(partition_.regions, siteCount_, RegionPatch(), budget); },
-      forEach(halfedges, budget, 8,
-              [&](int h) {
-                if (isOnOutline(partition_, h)) isCounted_[tail(h)] = isCounted_[tip(h)] = true;
-              }),
-      forEach(triangles, budget, 8,
-              [&](int t) {
-                RegionPatch& region = patchOf(partition_.triangleLabel[t]);
-                if (region.triangleCount++ == 0) region.firstTriangle = t;
-              }),
+      [&] { return fillInSlices(sums_, siteCount_ + 1, Sums(), budget); },
       forEach(siteCount_, budget, 8, [&](int l) { partition_.regions[l].label = l; }),
-      [&] { return measureAll(budget); });
+      forEach(halfedges, budget, 8, [&](int h) { walkOutlineFrom(h); }),
+      forTriangles([&](int t) { addTriangle(t); }), [&] { return countComponents(budget); },
+      forLabels([&](int l) { addUp(l); }), forTriangles([&](int t) { offerFirstCorner(t); }),
+      forTriangles([&](int t) { offerTriangle(t); }), forLabels([&](int l) { placeCentroid(l); }));
 }
 
 SpaceTriangle PatchMeasuring::cornersOf(int t) const {
@@ -63,60 +61,9 @@ RegionPatch& PatchMeasuring::patchOf(int label) {
   return label < 0 ? partition_.unreachable : partition_.regions[label];
 }
 
-/// Measures all regions, then the part that no site reaches.
-bool PatchMeasuring::measureAll(long& budget) {
-  for (; measured_ <= siteCount_; ++measured_) {
-    if (!measure(patchOf(measured_ < siteCount_ ? measured_ : -1), budget)) return false;
-    measuring_ = {};
-  }
-  return true;
-}
-
-/// Measures a region whose label and range of triangles are set.
-bool PatchMeasuring::measure(RegionPatch& region, long& budget) {
-  if (region.triangleCount == 0) return true;
-  const int first = region.firstTriangle;
-  const auto forTriangles = [&](long perUnit, auto body) {
-    return forEach(region.triangleCount, budget, perUnit,
-                   [first, body](int i) { body(first + i); });
-  };
-  return measuring_.run(
-      [&] {
-        sums_ = {};
-        nearest_ = {{Vector3d::Unit(0)}, first};
-        nextToSee_ = first;
-      },
-      forTriangles(8, [&](int t) { addArea(t, region); }),
-      forEach(3 * region.triangleCount, budget, 8,
-              [&](int i) { walkOutlineFrom(3 * first + i, region); }),
-      forTriangles(8, [&](int t) { countInnerVertices(t); }),
-      [&] { return countComponents(region, budget); },
-      [&] {
-        addUpBorders(region.neighbours);
-        countTopology(region);
-        region.centroid = region.area > 0 ? Vector3d(sums_.moment / region.area)
-                                          : Vector3d(sums_.centres / region.triangleCount);
-      },
-      forTriangles(8, [&](int t) { offerFirstCorner(t, region); }),
-      forTriangles(8, [&](int t) { offerTriangle(t, region); }),
-      [&] {
-        region.nearCentroid = {partition_.triangleFace[nearest_.triangle],
-                               cornersInFace(mesh_, partition_, nearest_.triangle) * nearest_.bary};
-      });
-}
-
-void PatchMeasuring::addArea(int t, RegionPatch& region) {
-  const auto corners = cornersOf(t);
-  const Vector3d centre = (corners[0] + corners[1] + corners[2]) / 3;
-  sums_.reach = std::max({sums_.reach, (corners[1] - corners[0]).squaredNorm(),
-                          (corners[2] - corners[0]).squaredNorm()});
-  region.area += areas_[t];
-  sums_.moment += areas_[t] * centre;
-  sums_.centres += centre;
-}
-
-void PatchMeasuring::walkOutlineFrom(int start, RegionPatch& region) {
+void PatchMeasuring::walkOutlineFrom(int start) {
   if (isWalked_[start] || !isOnOutline(partition_, start)) return;
+  RegionPatch& region = patchOf(partition_.triangleLabel[start / 3]);
   ++region.loops;
   for (int h = start; !isWalked_[h]; h = nextOnOutline(partition_, h)) {
     isWalked_[h] = true;
@@ -125,59 +72,76 @@ void PatchMeasuring::walkOutlineFrom(int start, RegionPatch& region) {
 }
 
 void PatchMeasuring::addStep(int h, RegionPatch& region) {
-  ++sums_.outlineSteps;
+  ++sumsOf(region.label).outlineSteps;
   // The outline passes a point once per fan of the region around it.
   region.selfTouchings += lastLabel_[tail(h)] == region.label;
   lastLabel_[tail(h)] = region.label;
   const double length = (partition_.positions[tip(h)] - partition_.positions[tail(h)]).norm();
   region.perimeter += length;
   const int twin = partition_.twins[h];
-  if (twin < 0) {
+  if (twin < 0)
     region.boundaryLength += length;
-    return;
-  }
-  addBorder(region.neighbours, partition_.triangleLabel[twin / 3], length);
+  else
+    addBorder(region.neighbours, partition_.triangleLabel[twin / 3], length);
 }
 
-void PatchMeasuring::countInnerVertices(int t) {
-  for (const int v : partition_.triangles[t]) {
-    if (isCounted_[v]) continue;
-    isCounted_[v] = true;
-    ++sums_.innerVertices;
+void PatchMeasuring::addTriangle(int t) {
+  RegionPatch& region = patchOf(partition_.triangleLabel[t]);
+  Sums& sums = sumsOf(region.label);
+  if (region.triangleCount++ == 0) {
+    region.firstTriangle = t;
+    sums.nearest = {{Vector3d::Unit(0)}, t};
   }
+  const auto corners = cornersOf(t);
+  const Vector3d centre = (corners[0] + corners[1] + corners[2]) / 3;
+  sums.reach = std::max({sums.reach, (corners[1] - corners[0]).squaredNorm(),
+                         (corners[2] - corners[0]).squaredNorm()});
+  region.area += areas_[t];
+  sums.moment += areas_[t] * centre;
+  sums.centres += centre;
+  for (const int v : partition_.triangles[t])
+    if (lastLabel_[v] == kNoLabel) {
+      lastLabel_[v] = region.label;
+      ++sums.innerVertices;
+    }
 }
 
-/// Counts the components of a region, by flooding one after another.
-bool PatchMeasuring::countComponents(RegionPatch& region, long& budget) {
+/// Counts the components of all regions, by flooding one after another.
+bool PatchMeasuring::countComponents(long& budget) {
   constexpr int kTrianglesPerUnit = 8;
-  const int end = region.firstTriangle + region.triangleCount;
   for (; budget > 0; --budget)
     for (int i = 0; i < kTrianglesPerUnit; ++i) {
       if (stack_.empty()) {
-        if (nextToSee_ == end) return true;
-        if (isSeen_[nextToSee_++]) continue;
-        ++region.components;
-        isSeen_[nextToSee_ - 1] = true;
-        stack_.push_back(nextToSee_ - 1);
+        if (nextToSee_ == static_cast<int>(isSeen_.size())) return true;
+        const int t = nextToSee_++;
+        if (std::exchange(isSeen_[t], true)) continue;
+        ++patchOf(partition_.triangleLabel[t]).components;
+        stack_.push_back(t);
       }
       const int t = stack_.back();
       stack_.pop_back();
       for (int h = 3 * t; h < 3 * (t + 1); ++h) {
-        if (isOnOutline(partition_, h) || isSeen_[partition_.twins[h] / 3]) continue;
-        isSeen_[partition_.twins[h] / 3] = true;
-        stack_.push_back(partition_.twins[h] / 3);
+        const int beyond = partition_.twins[h] / 3;
+        if (!isOnOutline(partition_, h) && !std::exchange(isSeen_[beyond], true))
+          stack_.push_back(beyond);
       }
     }
   return false;
 }
 
-/// Counts V - E + F with one vertex per fan, so there are as many vertices on outlines as steps
-/// along them.
-void PatchMeasuring::countTopology(RegionPatch& region) const {
-  const int edges = (3 * region.triangleCount + sums_.outlineSteps) / 2;
+void PatchMeasuring::addUp(int label) {
+  RegionPatch& region = patchOf(label);
+  if (region.triangleCount == 0) return;
+  const Sums& sums = sumsOf(label);
+  addUpBorders(region.neighbours);
+  // V - E + F with one vertex per fan, so there are as many vertices on outlines as steps along
+  // them.
+  const int edges = (3 * region.triangleCount + sums.outlineSteps) / 2;
   region.eulerCharacteristic =
-      sums_.innerVertices + sums_.outlineSteps - edges + region.triangleCount;
+      sums.innerVertices + sums.outlineSteps - edges + region.triangleCount;
   region.genus = genusOf(region.components, region.loops, region.eulerCharacteristic);
+  region.centroid = region.area > 0 ? Vector3d(sums.moment / region.area)
+                                    : Vector3d(sums.centres / region.triangleCount);
 }
 
 double PatchMeasuring::squaredDistanceToCentroid(int t, const RegionPatch& region) const {
@@ -186,16 +150,28 @@ double PatchMeasuring::squaredDistanceToCentroid(int t, const RegionPatch& regio
 
 /// Offers the first corner of a triangle as the point nearest to the centroid. The best of these
 /// bounds the distance, so that few whole triangles have to be looked at.
-void PatchMeasuring::offerFirstCorner(int t, const RegionPatch& region) {
+void PatchMeasuring::offerFirstCorner(int t) {
+  const RegionPatch& region = patchOf(partition_.triangleLabel[t]);
+  Nearest& nearest = sumsOf(region.label).nearest;
   const double distance = squaredDistanceToCentroid(t, region);
-  if (distance < nearest_.squaredDistance) nearest_ = {{Vector3d::Unit(0), distance}, t};
+  if (distance < nearest.squaredDistance) nearest = {{Vector3d::Unit(0), distance}, t};
 }
 
-void PatchMeasuring::offerTriangle(int t, const RegionPatch& region) {
+void PatchMeasuring::offerTriangle(int t) {
+  const RegionPatch& region = patchOf(partition_.triangleLabel[t]);
+  Sums& sums = sumsOf(region.label);
+  Nearest& nearest = sums.nearest;
   // (a + b)² ≤ 2 (a² + b²)
-  if (squaredDistanceToCentroid(t, region) > 2 * (nearest_.squaredDistance + sums_.reach)) return;
+  if (squaredDistanceToCentroid(t, region) > 2 * (nearest.squaredDistance + sums.reach)) return;
   const NearestPoint here = nearestOnTriangle(region.centroid, cornersOf(t));
-  if (here.squaredDistance < nearest_.squaredDistance) nearest_ = {here, t};
+  if (here.squaredDistance < nearest.squaredDistance) nearest = {here, t};
+}
+
+void PatchMeasuring::placeCentroid(int label) {
+  const Nearest& nearest = sumsOf(label).nearest;
+  if (nearest.triangle < 0) return;
+  patchOf(label).nearCentroid = {partition_.triangleFace[nearest.triangle],
+                                 cornersInFace(mesh_, partition_, nearest.triangle) * nearest.bary};
 }
 
 int nextOnOutline(const Partition& partition, int h) {

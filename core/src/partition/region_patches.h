@@ -25,16 +25,17 @@ class PatchMeasuring {
  private:
   static constexpr int kNoLabel = -2;  // neither a region's nor `Diagram::kUnreachable`
 
-  /// Sums over a region.
+  /// The point of a region that is nearest to its centroid.
+  struct Nearest : NearestPoint {
+    int triangle = -1;
+  };
+  /// What is summed up over a region, and what is best in it so far.
   struct Sums {
     Eigen::Vector3d moment = Eigen::Vector3d::Zero();   ///< areas times centres of triangles
     Eigen::Vector3d centres = Eigen::Vector3d::Zero();  ///< of its triangles
     double reach = 0;  ///< most squared distance of a triangle's points from its first corner
     int outlineSteps = 0, innerVertices = 0;
-  };
-  /// The point of a region that is nearest to its centroid.
-  struct Nearest : NearestPoint {
-    int triangle = 0;
+    Nearest nearest;
   };
 
   int tail(int h) const { return tailOf(partition_.triangles, h); }
@@ -42,35 +43,30 @@ class PatchMeasuring {
   SpaceTriangle cornersOf(int t) const;
   double squaredDistanceToCentroid(int t, const RegionPatch& region) const;
   RegionPatch& patchOf(int label);
+  /// `Diagram::kUnreachable` is -1.
+  Sums& sumsOf(int label) { return sums_[label + 1]; }
 
-  bool measureAll(long& budget);
-  bool measure(RegionPatch& region, long& budget);
-  void addArea(int t, RegionPatch& region);
-  void walkOutlineFrom(int start, RegionPatch& region);
+  void walkOutlineFrom(int start);
   void addStep(int h, RegionPatch& region);
-  void countInnerVertices(int t);
-  bool countComponents(RegionPatch& region, long& budget);
-  void countTopology(RegionPatch& region) const;
-  void offerFirstCorner(int t, const RegionPatch& region);
-  void offerTriangle(int t, const RegionPatch& region);
+  void addTriangle(int t);
+  bool countComponents(long& budget);
+  void addUp(int label);
+  void offerFirstCorner(int t);
+  void offerTriangle(int t);
+  void placeCentroid(int label);
 
   const TriangleMesh& mesh_;
   const int siteCount_;
   const std::span<const double> areas_;
   Partition& partition_;
 
-  SlicedSequence sequence_, measuring_;
-  int measured_ = 0;             ///< regions
-  std::vector<char> isSeen_;     ///< triangles
-  std::vector<char> isWalked_;   ///< halfedges on outlines
-  std::vector<char> isCounted_;  ///< vertices; on outlines, steps count them
-  std::vector<int> lastLabel_;   ///< per vertex, of the last region whose outline passed it
-
-  // Of the current region.
-  Sums sums_;
-  Nearest nearest_;         ///< so far
-  int nextToSee_ = 0;       ///< triangle
-  std::vector<int> stack_;  ///< triangles seen whose neighbours are to be visited
+  SlicedSequence sequence_;
+  std::vector<Sums> sums_;      ///< of what no site reaches, then of each region
+  std::vector<char> isSeen_;    ///< triangles
+  std::vector<int> stack_;      ///< triangles seen whose neighbours are to be visited
+  int nextToSee_ = 0;           ///< triangle
+  std::vector<char> isWalked_;  ///< halfedges on outlines
+  std::vector<int> lastLabel_;  ///< per vertex, of the last region that was found to have it
 };
 
 /// The next halfedge along the outline of a region after h, which is on that outline: turns around
