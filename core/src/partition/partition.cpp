@@ -189,7 +189,10 @@ class Partitioner final : public SlicedWork<Partition> {
         [&] { return groupByLabel(budget); }, [&] { return numberVertices(budget); },
         [&] { return twins_.prepare(3 * out_.triangles.size(), budget); },
         forEach(out_.triangles, budget, 4, [&](int t) { matchTwins(t); }),
-        [&] { out_.twins = twins_.take(); },
+        [&] {
+          out_.twins = twins_.take();
+          twins_ = {};
+        },
         [&] { return runPart(patches_, budget, mesh_, diagram_.siteCount, areas_, out_); });
   }
   double share() const override { return sequence_.progress(); }
