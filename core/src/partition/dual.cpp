@@ -61,10 +61,9 @@ SurfacePoint pointOfRun(const TriangleMesh& mesh, const Partition& p,
 }  // namespace
 
 DualBuilding::DualBuilding(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
-                           const Partition& partition, const RegionComplex& complex)
+                           const RegionComplex& complex)
     : mesh_(mesh),
       sites_(sites),
-      partition_(partition),
       complex_(complex),
       vertexOfLabel_(sites.size(), -1),
       vertexOfRun_(complex.borders.size(), -1) {}
@@ -84,7 +83,7 @@ void DualBuilding::addSite(int label) {
 void DualBuilding::addRun(int b) {
   const RegionComplex::Border& border = complex_.borders[b];
   if (!isRun(border)) return;
-  vertexOfRun_[b] = addVertex(mesh_, pointOfRun(mesh_, partition_, border), out_);
+  vertexOfRun_[b] = addVertex(mesh_, pointOfRun(mesh_, complex_.partition, border), out_);
   out_.vertexLabel.push_back(border.label);
 }
 
@@ -104,15 +103,15 @@ namespace {
 /// Builds the mesh of the regions themselves, in slices.
 class RegionMeshBuilding {
  public:
-  RegionMeshBuilding(const TriangleMesh& mesh, const Partition& partition,
-                     const RegionComplex& complex)
-      : mesh_(mesh), partition_(partition), complex_(complex) {}
+  RegionMeshBuilding(const TriangleMesh& mesh, const RegionComplex& complex)
+      : mesh_(mesh), complex_(complex) {}
 
   bool step(long& budget) {
     return sequence_.run(
-        forEach(
-            complex_.vertices, budget, 4,
-            [&](int v) { addVertex(mesh_, partition_.points[complex_.vertices[v].point], out_); }),
+        forEach(complex_.vertices, budget, 4,
+                [&](int v) {
+                  addVertex(mesh_, complex_.partition.points[complex_.vertices[v].point], out_);
+                }),
         forEach(complex_.loops, budget, 1, [&](int l) { addPolygon(complex_.loops[l]); }));
   }
   PolygonMesh take() { return std::move(out_); }
@@ -124,7 +123,7 @@ class RegionMeshBuilding {
       const RegionComplex::Border& border = complex_.borders[b];
       if (border.fromVertex >= 0) polygon.push_back(border.fromVertex);
       if (isRun(border))
-        polygon.push_back(addVertex(mesh_, pointOfRun(mesh_, partition_, border), out_));
+        polygon.push_back(addVertex(mesh_, pointOfRun(mesh_, complex_.partition, border), out_));
     }
     if (polygon.empty()) return;
     out_.faces.add(polygon);
@@ -132,7 +131,6 @@ class RegionMeshBuilding {
   }
 
   const TriangleMesh& mesh_;
-  const Partition& partition_;
   const RegionComplex& complex_;
   SlicedSequence sequence_;
   PolygonMesh out_;
@@ -144,9 +142,8 @@ std::unique_ptr<SlicedWork<PolygonMesh>> startDualMesh(const TriangleMesh& mesh,
                                                        std::span<const SurfacePoint> sites,
                                                        const Diagram& diagram) {
   return fromRegions(mesh, diagram,
-                     [&mesh, sites = sitesOf(mesh, diagram, sites)](const Partition& partition,
-                                                                    const RegionComplex& complex) {
-                       return DualBuilding(mesh, sites, partition, complex);
+                     [&mesh, sites = sitesOf(mesh, diagram, sites)](const RegionComplex& complex) {
+                       return DualBuilding(mesh, sites, complex);
                      });
 }
 
@@ -157,10 +154,9 @@ PolygonMesh dualMesh(const TriangleMesh& mesh, std::span<const SurfacePoint> sit
 
 std::unique_ptr<SlicedWork<PolygonMesh>> startRegionMesh(const TriangleMesh& mesh,
                                                          const Diagram& diagram) {
-  return fromRegions(mesh, diagram,
-                     [&mesh](const Partition& partition, const RegionComplex& complex) {
-                       return RegionMeshBuilding(mesh, partition, complex);
-                     });
+  return fromRegions(mesh, diagram, [&mesh](const RegionComplex& complex) {
+    return RegionMeshBuilding(mesh, complex);
+  });
 }
 
 PolygonMesh regionMesh(const TriangleMesh& mesh, const Diagram& diagram) {

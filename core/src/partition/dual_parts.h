@@ -19,12 +19,12 @@
 
 namespace gvd {
 
-/// Builds a dual from a partition that leaves out components without a site, in slices.
+/// Builds a dual from the regions of its diagram, in slices.
 class DualBuilding {
  public:
   /// All must outlive this.
   DualBuilding(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
-               const Partition& partition, const RegionComplex& complex);
+               const RegionComplex& complex);
   bool step(long& budget);
   PolygonMesh take() { return std::move(out_); }
 
@@ -35,7 +35,6 @@ class DualBuilding {
 
   const TriangleMesh& mesh_;
   const std::span<const SurfacePoint> sites_;
-  const Partition& partition_;
   const RegionComplex& complex_;
   SlicedSequence sequence_;
   std::vector<int> vertexOfLabel_, vertexOfRun_;
@@ -43,11 +42,10 @@ class DualBuilding {
 };
 
 /// Work on the regions of a diagram: first finds them, then steps through the part that
-/// `make(partition, complex)` returns, whose result it takes.
+/// `make(complex)` returns, whose result it takes.
 template <class Make>
 auto fromRegions(const TriangleMesh& mesh, const Diagram& diagram, Make make) {
-  using Part =
-      decltype(make(std::declval<const Partition&>(), std::declval<const RegionComplex&>()));
+  using Part = decltype(make(std::declval<const RegionComplex&>()));
   using Result = decltype(std::declval<Part>().take());
   class FromRegions final : public SlicedWork<Result> {
    public:
@@ -56,7 +54,7 @@ auto fromRegions(const TriangleMesh& mesh, const Diagram& diagram, Make make) {
 
     bool advance(long budget) override {
       return sequence_.run([&] { return regions_.step(budget); },
-                           [&] { part_.emplace(make_(regions_.partition(), regions_.complex())); },
+                           [&] { part_.emplace(make_(regions_.complex())); },
                            [&] { return part_->step(budget); });
     }
     double share() const override { return regions_.progress(); }
@@ -64,7 +62,7 @@ auto fromRegions(const TriangleMesh& mesh, const Diagram& diagram, Make make) {
 
    private:
     SlicedSequence sequence_;
-    RegionsBuilding regions_;
+    RegionComplexBuilding regions_;
     Make make_;
     std::optional<Part> part_;
   };

@@ -161,17 +161,14 @@ class GapFilling final : public SlicedWork<std::vector<SurfacePoint>> {
         regions_(mesh, diagram) {}
 
   bool advance(long budget) override {
-    return sequence_.run([&] { return regions_.step(budget); },
-                         [&] {
-                           return runPart(finding_, budget, mesh_, sites_, diagram_,
-                                          regions_.partition(), regions_.complex());
-                         },
-                         [&] {
-                           found_ = gapsOf(mesh_, sites_, regions_.partition(),
-                                           finding_->takeFindings());
-                           startDistances();
-                         },
-                         [&] { return distances_->step(budget); });
+    return sequence_.run(
+        [&] { return regions_.step(budget); },
+        [&] { return runPart(finding_, budget, mesh_, sites_, diagram_, regions_.complex()); },
+        [&] {
+          found_ = gapsOf(mesh_, sites_, regions_.complex().partition, finding_->takeFindings());
+          startDistances();
+        },
+        [&] { return distances_->step(budget); });
   }
   double share() const override {
     return distances_ ? (1 + distances_->progress()) / 2 : regions_.progress() / 2;
@@ -212,7 +209,7 @@ class GapFilling final : public SlicedWork<std::vector<SurfacePoint>> {
   const Diagram& diagram_;
   const DistanceField& field_;
   SlicedSequence sequence_;
-  RegionsBuilding regions_;
+  RegionComplexBuilding regions_;
   std::optional<ViolationFinding> finding_;
   Gaps found_;
   std::unique_ptr<SlicedWork<std::vector<double>>> distances_;

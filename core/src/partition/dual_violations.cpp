@@ -40,12 +40,10 @@ std::vector<int> trianglesOf(const RegionPatch& region) {
 }  // namespace
 
 ViolationFinding::ViolationFinding(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
-                                   const Diagram& diagram, const Partition& partition,
-                                   const RegionComplex& complex)
+                                   const Diagram& diagram, const RegionComplex& complex)
     : mesh_(mesh),
       sites_(sites),
       diagram_(diagram),
-      partition_(partition),
       complex_(complex),
       bareFace_(mesh.topology().components, -1),
       isWalked_(complex.vertices.size()) {}
@@ -61,7 +59,8 @@ bool ViolationFinding::step(long& budget) {
   return sequence_.run(
       forEach(mesh_.faceCount(), budget, kQuickRounds, [&](int f) { findBareFace(f); }),
       [&] { addBareComponents(); },
-      forEach(partition_.regions, budget, 4, [&](int l) { inspectRegion(partition_.regions[l]); }),
+      forEach(complex_.partition.regions, budget, 4,
+              [&](int l) { inspectRegion(complex_.partition.regions[l]); }),
       [&] { return pairs_.prepare(complex_.borders.size(), budget); },
       forBorders([&](int b) { addMeetingAlong(b); }), forVertices([&](int v) { addMeetingsAt(v); }),
       [&] {
@@ -94,7 +93,7 @@ void ViolationFinding::add(Violation::Kind kind, std::vector<int> labels, std::s
 
 void ViolationFinding::addBeside(int h, std::vector<int>& triangles) const {
   triangles.push_back(h / 3);
-  if (partition_.twins[h] >= 0) triangles.push_back(partition_.twins[h] / 3);
+  if (complex_.partition.twins[h] >= 0) triangles.push_back(complex_.partition.twins[h] / 3);
 }
 
 void ViolationFinding::addBeside(const RegionComplex::Border& border,
@@ -249,7 +248,7 @@ void ViolationFinding::addFewRuns(const std::vector<int>& labels, std::vector<in
 
 bool ViolationFinding::inspectDual(long budget) {
   return ofDual_.run(
-      [&] { return runPart(dualBuilding_, budget, mesh_, sites_, partition_, complex_); },
+      [&] { return runPart(dualBuilding_, budget, mesh_, sites_, complex_); },
       [&] {
         dual_ = taken(dualBuilding_);
         topology_ = startTopology(dual_);
@@ -272,11 +271,11 @@ std::vector<Violation> ViolationFinding::take() {
 
 std::unique_ptr<SlicedWork<std::vector<Violation>>> startViolations(
     const TriangleMesh& mesh, std::span<const SurfacePoint> sites, const Diagram& diagram) {
-  return fromRegions(mesh, diagram,
-                     [&mesh, sites = sitesOf(mesh, diagram, sites), &diagram](
-                         const Partition& partition, const RegionComplex& complex) {
-                       return ViolationFinding(mesh, sites, diagram, partition, complex);
-                     });
+  return fromRegions(
+      mesh, diagram,
+      [&mesh, sites = sitesOf(mesh, diagram, sites), &diagram](const RegionComplex& complex) {
+        return ViolationFinding(mesh, sites, diagram, complex);
+      });
 }
 
 std::vector<Violation> findViolations(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,

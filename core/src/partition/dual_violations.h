@@ -33,8 +33,7 @@ class ViolationFinding {
  public:
   /// All must outlive this.
   ViolationFinding(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
-                   const Diagram& diagram, const Partition& partition,
-                   const RegionComplex& complex);
+                   const Diagram& diagram, const RegionComplex& complex);
   bool step(long& budget);
   std::vector<Violation> take();
   /// The same violations, in the same order.
@@ -70,7 +69,6 @@ class ViolationFinding {
   const TriangleMesh& mesh_;
   const std::span<const SurfacePoint> sites_;
   const Diagram& diagram_;
-  const Partition& partition_;
   const RegionComplex& complex_;
 
   SlicedSequence sequence_, ofDual_;

@@ -16,32 +16,51 @@ std::vector<int> RegionComplex::labelsAt(int vertex) const {
   return labels;
 }
 
+RegionComplexBuilding::RegionComplexBuilding(const TriangleMesh& mesh, const Diagram& diagram)
+    : partitioning_(startPartition(mesh, diagram, {.leaveOutUnreachable = true})) {}
+
 bool RegionComplexBuilding::step(long& budget) {
-  const std::size_t points = partition_.points.size(), halfedges = partition_.twins.size();
-  return sequence_.run([&] { return fillInSlices(vertexOfPoint_, points, -1, budget); },
-                       [&] { return fillInSlices(borderAt_, halfedges, -1, budget); },
-                       [&] { return fillInSlices(sectors_, points, 0, budget); },
-                       [&] { return fillInSlices(isOnBoundary_, points, '\0', budget); },
-                       [&] { return fillInSlices(isWalked_, halfedges, '\0', budget); },
-                       forEach(halfedges, budget, 8, [&](int h) { countSector(h); }),
+  const auto& points = out_.partition.points;
+  const auto& twins = out_.partition.twins;
+  return sequence_.run([&] { return partitioning_->step(budget); },
+                       [&] {
+                         out_.partition = partitioning_->take();
+                         partitioning_.reset();
+                       },
+                       [&] { return fillInSlices(vertexOfPoint_, points.size(), -1, budget); },
+                       [&] { return fillInSlices(borderAt_, twins.size(), -1, budget); },
+                       [&] { return fillInSlices(sectors_, points.size(), 0, budget); },
+                       [&] { return fillInSlices(isOnBoundary_, points.size(), '\0', budget); },
+                       [&] { return fillInSlices(isWalked_, twins.size(), '\0', budget); },
+                       forEach(twins, budget, 8, [&](int h) { countSector(h); }),
                        forEach(points, budget, kQuickRounds, [&](int p) { findVertex(p); }),
-                       forEach(halfedges, budget, 8, [&](int h) { walkLoopFrom(h); }),
+                       forEach(twins, budget, 8, [&](int h) { walkLoopFrom(h); }),
                        forEach(out_.borders, budget, 2, [&](int b) { listBorder(b); }),
-                       forEach(out_.vertices, budget, 1, [&](int v) { turnAround(v); }));
+                       forEach(out_.vertices, budget, 1, [&](int v) { turnAround(v); }),
+                       [&] {
+                         release(borderAt_);
+                         release(isWalked_);
+                       });
+}
+
+double RegionComplexBuilding::progress() const {
+  constexpr double kPartitionsShare = 0.8;
+  return partitioning_ ? kPartitionsShare * partitioning_->progress() : kPartitionsShare;
 }
 
 /// The last halfedge of the sector that starts with h: the first one on the outline when turning
 /// counterclockwise within the region.
 int RegionComplexBuilding::endOfSector(int h) const {
   int last = TriangleMesh::previous(h);
-  while (!isOnOutline(partition_, last)) last = TriangleMesh::previous(partition_.twins[last]);
+  while (!isOnOutline(out_.partition, last))
+    last = TriangleMesh::previous(out_.partition.twins[last]);
   return last;
 }
 
 void RegionComplexBuilding::countSector(int h) {
-  if (!isOnOutline(partition_, h)) return;
+  if (!isOnOutline(out_.partition, h)) return;
   ++sectors_[tail(h)];
-  if (partition_.twins[h] < 0) isOnBoundary_[tail(h)] = true;
+  if (out_.partition.twins[h] < 0) isOnBoundary_[tail(h)] = true;
 }
 
 /// A point is a vertex if three or more sectors meet there, or two on the mesh boundary.
@@ -52,9 +71,9 @@ void RegionComplexBuilding::findVertex(int point) {
 }
 
 void RegionComplexBuilding::walkLoopFrom(int start) {
-  if (isWalked_[start] || !isOnOutline(partition_, start)) return;
+  if (isWalked_[start] || !isOnOutline(out_.partition, start)) return;
   steps_.clear();
-  for (int h = start; !isWalked_[h]; h = nextOnOutline(partition_, h)) {
+  for (int h = start; !isWalked_[h]; h = nextOnOutline(out_.partition, h)) {
     isWalked_[h] = true;
     steps_.push_back(h);
   }
@@ -69,17 +88,18 @@ void RegionComplexBuilding::walkLoopFrom(int start) {
   const int end = static_cast<int>(out_.borders.size());
   for (int b = firstBorder; b < end; ++b)
     out_.borders[b].toVertex = out_.borders[b + 1 < end ? b + 1 : firstBorder].fromVertex;
-  out_.loops.push_back({partition_.triangleLabel[start / 3], firstBorder, end - firstBorder});
+  out_.loops.push_back({out_.partition.triangleLabel[start / 3], firstBorder, end - firstBorder});
 }
 
 void RegionComplexBuilding::startBorder(int h) {
-  const int twin = partition_.twins[h];
+  const int twin = out_.partition.twins[h];
   borderAt_[h] = static_cast<int>(out_.borders.size());
-  out_.borders.push_back({partition_.triangleLabel[h / 3],
-                          twin < 0 ? RegionComplex::kOutside : partition_.triangleLabel[twin / 3],
-                          vertexOfPoint_[tail(h)],
-                          -1,
-                          {}});
+  out_.borders.push_back(
+      {out_.partition.triangleLabel[h / 3],
+       twin < 0 ? RegionComplex::kOutside : out_.partition.triangleLabel[twin / 3],
+       vertexOfPoint_[tail(h)],
+       -1,
+       {}});
 }
 
 /// Makes a border the first of its vertex: a run if there is one, else the first border listed.
@@ -97,28 +117,10 @@ void RegionComplexBuilding::turnAround(int vertex) {
   std::vector<int>& borders = out_.vertices[vertex].borders;
   for (;;) {
     const int last = endOfSector(out_.borders[borders.back()].path.front());
-    const int beyond = partition_.twins[last];
+    const int beyond = out_.partition.twins[last];
     if (beyond < 0 || borderAt_[beyond] == borders.front()) break;
     borders.push_back(borderAt_[beyond]);
   }
-}
-
-RegionsBuilding::RegionsBuilding(const TriangleMesh& mesh, const Diagram& diagram)
-    : partitioning_(startPartition(mesh, diagram, {.leaveOutUnreachable = true})) {}
-
-bool RegionsBuilding::step(long& budget) {
-  return sequence_.run([&] { return partitioning_->step(budget); },
-                       [&] {
-                         partition_ = partitioning_->take();
-                         partitioning_.reset();
-                       },
-                       [&] { return runPart(building_, budget, partition_); },
-                       [&] { complex_ = taken(building_); });
-}
-
-double RegionsBuilding::progress() const {
-  constexpr double kPartitionsShare = 0.8;
-  return partitioning_ ? kPartitionsShare * partitioning_->progress() : kPartitionsShare;
 }
 
 }  // namespace gvd

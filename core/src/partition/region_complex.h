@@ -12,16 +12,16 @@
 
 namespace gvd {
 
-/// The regions of a partition as a complex. Its faces are the regions. Its edges are the *borders*
-/// between two regions, or between a region and the outside. Its vertices are the points where
-/// three or more sectors of regions, or two and the outside, meet. A border has its region on the
-/// left, so an arc between two regions consists of two borders; a *run*, a border along the mesh
-/// boundary, is there once.
+/// The regions of a diagram as a complex, and their partition. Its faces are the regions. Its edges
+/// are the *borders* between two regions, or between a region and the outside. Its vertices are the
+/// points where three or more sectors of regions, or two and the outside, meet. A border has its
+/// region on the left, so an arc between two regions consists of two borders; a *run*, a border
+/// along the mesh boundary, is there once.
 struct RegionComplex {
   static constexpr int kOutside = -1;
 
   struct Vertex {
-    int point;  ///< in `Partition::points`
+    int point;  ///< of the partition
     /// The borders that leave the vertex, counterclockwise; each starts a sector of the region to
     /// its left. On the mesh boundary the first border is a run, and the sectors do not close.
     std::vector<int> borders;
@@ -42,6 +42,7 @@ struct RegionComplex {
     int firstBorder, borderCount;
   };
 
+  Partition partition;  ///< without components that have no site
   std::vector<Vertex> vertices;
   std::vector<Border> borders;
   std::vector<Loop> loops;  ///< ascending by label
@@ -50,16 +51,17 @@ struct RegionComplex {
   std::vector<int> labelsAt(int vertex) const;
 };
 
-/// Builds, in slices, the complex of a partition that leaves out components without a site.
+/// Builds the complex of a diagram's regions, in slices.
 class RegionComplexBuilding {
  public:
-  /// The partition must outlive this.
-  explicit RegionComplexBuilding(const Partition& partition) : partition_(partition) {}
+  /// Both must outlive this.
+  RegionComplexBuilding(const TriangleMesh& mesh, const Diagram& diagram);
   bool step(long& budget);
-  RegionComplex take() { return std::move(out_); }
+  double progress() const;
+  const RegionComplex& complex() const { return out_; }
 
  private:
-  int tail(int h) const { return tailOf(partition_.triangles, h); }
+  int tail(int h) const { return tailOf(out_.partition.triangles, h); }
   int endOfSector(int h) const;
   void countSector(int h);
   void findVertex(int point);
@@ -68,8 +70,8 @@ class RegionComplexBuilding {
   void listBorder(int b);
   void turnAround(int vertex);
 
-  const Partition& partition_;
   SlicedSequence sequence_;
+  std::unique_ptr<SlicedWork<Partition>> partitioning_;
   std::vector<int> vertexOfPoint_;
   std::vector<int> borderAt_;       ///< the border that starts with a halfedge, or -1
   std::vector<int> sectors_;        ///< of regions around a point
@@ -77,24 +79,6 @@ class RegionComplexBuilding {
   std::vector<char> isWalked_;      ///< halfedges
   std::vector<int> steps_;          ///< of the current loop
   RegionComplex out_;
-};
-
-/// The regions of a diagram: their partition, which leaves out components without a site, and its
-/// complex, in slices.
-class RegionsBuilding {
- public:
-  RegionsBuilding(const TriangleMesh& mesh, const Diagram& diagram);
-  bool step(long& budget);
-  double progress() const;
-  const Partition& partition() const { return partition_; }
-  const RegionComplex& complex() const { return complex_; }
-
- private:
-  SlicedSequence sequence_;
-  std::unique_ptr<SlicedWork<Partition>> partitioning_;
-  Partition partition_;
-  std::optional<RegionComplexBuilding> building_;
-  RegionComplex complex_;
 };
 
 }  // namespace gvd

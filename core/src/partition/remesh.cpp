@@ -70,7 +70,7 @@ class Settling final : public SlicedWork<RepairedSites> {
                   [&] { return runPart(regions_, budget, mesh_, moved_.diagram); },
                   [&] {
                     return runPart(finding_, budget, mesh_, moved_.sites, moved_.diagram,
-                                   regions_->partition(), regions_->complex());
+                                   regions_->complex());
                   },
                   [&] {
                     findings_ = finding_->takeFindings();
@@ -105,10 +105,7 @@ class Settling final : public SlicedWork<RepairedSites> {
   /// Measures the least angle of the dual of sites whose regions are there.
   bool measureAngle(const RepairedSites& of, long budget) {
     if (!measuring_.run(
-            [&] {
-              return runPart(building_, budget, mesh_, of.sites, regions_->partition(),
-                             regions_->complex());
-            },
+            [&] { return runPart(building_, budget, mesh_, of.sites, regions_->complex()); },
             [&] {
               dual_ = taken(building_);
               angle_ = startMinAngle(dual_);
@@ -140,7 +137,7 @@ class Settling final : public SlicedWork<RepairedSites> {
   SlicedSequence step_;
   int stepCount_ = 0;
   std::optional<Cvt> cvt_;
-  std::optional<RegionsBuilding> regions_;  ///< of `kept_`, then of `moved_`
+  std::optional<RegionComplexBuilding> regions_;  ///< of `kept_`, then of `moved_`
   std::optional<ViolationFinding> finding_;
   std::vector<Finding> findings_;  ///< about `moved_`
   SlicedSequence measuring_;
