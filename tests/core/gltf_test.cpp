@@ -341,6 +341,19 @@ TEST(ReadGltf, PassesOverAttributesThatItCannotRead) {
           "normals, texture coordinates or densities that cannot be read were passed over (2)"}));
 }
 
+TEST(ReadGltf, DoesNotTakeTheBinaryChunkForADataUriThatIsTooShort) {
+  GlbWriter file;
+  const int positions = file.addAccessor(-1, kFloat, 3, "VEC3");
+  const int view = file.addView(std::vector<float>(9));
+  const int normals = file.addAccessor(view, kFloat, 3, "VEC3");
+  const int uvs = file.addAccessor(view, kFloat, 3, "VEC2");
+  file.buffers = R"({"byteLength":36,"uri":"data:;base64,AAAA"})";
+  file.addMesh({dressed(positions, normals, uvs)});
+  const GltfScene scene = readGltf(file.glb());
+  EXPECT_TRUE(scene.normals.empty());
+  EXPECT_TRUE(scene.uvs.empty());
+}
+
 // --- Accessors -----------------------------------------------------------------------------------
 
 TEST(ReadGltf, ReadsInterleavedElementsFromAnOffset) {

@@ -41,19 +41,14 @@ Buffers::Buffers(std::vector<BufferObject> objects, std::optional<Bytes> bin,
 Bytes Buffers::at(int index, const std::string& owner) {
   requireIndex(index, buffers_.size(), "buffer", owner);
   Buffer& buffer = buffers_[index];
-  if (!buffer.bytes) buffer.bytes = load(buffer, index);
-  return *buffer.bytes;
-}
-
-Bytes Buffers::load(Buffer& buffer, int index) {
   const std::string name = "buffer " + std::to_string(index);
   if (!buffer.object.byteLength) reject(name + " has no byteLength");
-  const std::uint64_t length = *buffer.object.byteLength;
-  const Bytes bytes = content(buffer, index, name);
-  if (length > bytes.size())
+  if (!buffer.content) buffer.content = content(buffer, index, name);
+  const std::uint64_t length = *buffer.object.byteLength, has = buffer.content->size();
+  if (length > has)
     reject(name + " should have " + std::to_string(length) + " bytes but has " +
-           std::to_string(bytes.size()));
-  return bytes.first(length);
+           std::to_string(has));
+  return buffer.content->first(length);
 }
 
 Bytes Buffers::content(Buffer& buffer, int index, const std::string& name) {

@@ -25,11 +25,10 @@ class Buffers {
  private:
   struct Buffer {
     BufferObject object;
-    std::string decoded;  ///< the content of a data URI
-    std::optional<Bytes> bytes;
+    std::string decoded;           ///< the content of a data URI, which is dropped then
+    std::optional<Bytes> content;  ///< once it is loaded; may have more bytes than the buffer
   };
 
-  Bytes load(Buffer& buffer, int index);
   Bytes content(Buffer& buffer, int index, const std::string& name);
 
   std::optional<Bytes> bin_;
