@@ -14,6 +14,7 @@
 #include "base/sliced_loop.h"
 #include "gvd/dual.h"
 #include "gvd/partition.h"
+#include "gvd/remesh.h"
 #include "mesh/given_points.h"
 #include "partition/region_complex.h"
 
@@ -83,8 +84,8 @@ inline std::vector<SurfacePoint> sitesOf(const TriangleMesh& mesh, const Diagram
   return allOnMesh(mesh, sites, "site");
 }
 
-/// `RemeshQuality::minAngle` alone. The mesh must outlive the work.
-std::unique_ptr<SlicedWork<double>> startMinAngle(const PolygonMesh& remesh);
+/// The quality of a remesh but for its distance from the surface. The remesh must outlive the work.
+std::unique_ptr<SlicedWork<RemeshQuality>> startTriangleQuality(const PolygonMesh& remesh);
 
 /// Throws unless so many sites may be added by `repair` or `remesh`.
 void requireMaxAdded(int count);

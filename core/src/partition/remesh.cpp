@@ -56,7 +56,7 @@ class Settling final : public SlicedWork<RepairedSites> {
     if (!keptAngle_) {
       if (!runPart(regions_, budget, mesh_, kept_.diagram) || !measureAngle(kept_, budget))
         return false;
-      keptAngle_ = angle_->take();
+      keptAngle_ = quality_->take().minAngle;
       regions_.reset();
       return false;
     }
@@ -108,9 +108,9 @@ class Settling final : public SlicedWork<RepairedSites> {
             [&] { return runPart(building_, budget, mesh_, of.sites, regions_->complex()); },
             [&] {
               dual_ = taken(building_);
-              angle_ = startMinAngle(dual_);
+              quality_ = startTriangleQuality(dual_);
             },
-            [&] { return angle_->step(budget); }))
+            [&] { return quality_->step(budget); }))
       return false;
     measuring_ = {};
     return true;
@@ -119,7 +119,7 @@ class Settling final : public SlicedWork<RepairedSites> {
   /// Keeps the moved sites if their dual is valid and better than the one before. The sites of
   /// violations must not move any more; if none of them has moved, the next step would be the same.
   void judge() {
-    const double angle = findings_.empty() ? angle_->take() : 0;
+    const double angle = findings_.empty() ? quality_->take().minAngle : 0;
     isOver_ = angle <= *keptAngle_;
     if (!isOver_) {
       kept_ = std::move(moved_);
@@ -143,8 +143,8 @@ class Settling final : public SlicedWork<RepairedSites> {
   SlicedSequence measuring_;
   std::optional<DualBuilding> building_;
   PolygonMesh dual_;
-  std::unique_ptr<SlicedWork<double>> angle_;  ///< the least of the dual
-  std::optional<double> keptAngle_;            ///< that of `kept_`
+  std::unique_ptr<SlicedWork<RemeshQuality>> quality_;  ///< of the dual
+  std::optional<double> keptAngle_;                     ///< the least of the dual of `kept_`
   bool isOver_ = false;
 };
 

@@ -39,8 +39,8 @@ double perimeter(const SpaceTriangle& t) {
   return (b - a).norm() + (c - b).norm() + (a - c).norm();
 }
 
-/// Measures the triangles of a remesh, in slices: all of `RemeshQuality` but for the distance.
-class TriangleMeasuring {
+/// Measures the triangles of a remesh.
+class TriangleMeasuring final : public SlicedWork<RemeshQuality> {
  public:
   /// The remesh must outlive this.
   explicit TriangleMeasuring(const PolygonMesh& remesh)
@@ -49,7 +49,7 @@ class TriangleMeasuring {
         neighbours_(remesh.positions.size()),
         triangles_(remesh.positions.size()) {}
 
-  bool step(long& budget) {
+  bool advance(long budget) override {
     return sequence_.run([&] { return cutting_->step(budget); },
                          [&] {
                            cut_ = cutting_->take().triangles;
@@ -65,7 +65,8 @@ class TriangleMeasuring {
                              quality_.regularShare = static_cast<double>(regular_) / inside_;
                          });
   }
-  const RemeshQuality& quality() const { return quality_; }
+  double share() const override { return sequence_.progress(); }
+  RemeshQuality result() override { return quality_; }
   double meanSide() const { return perimeters_ / (3 * static_cast<double>(cut_.size())); }
   std::vector<SpaceTriangle> takeInSpace() { return std::move(inSpace_); }
 
@@ -124,7 +125,7 @@ class QualityMeasuring final : public SlicedWork<RemeshQuality> {
         },
         [&] { return runPart(triangles_, budget, remesh_); },
         [&] {
-          quality_ = triangles_->quality();
+          quality_ = triangles_->take();
           // Not zero, where the remesh is as small as a point.
           const double mean = surface_.meanEdgeLength();
           resolution_ = std::max(std::min(mean, triangles_->meanSide()), mean / 64);
@@ -155,22 +156,10 @@ class QualityMeasuring final : public SlicedWork<RemeshQuality> {
   RemeshQuality quality_;
 };
 
-class AngleMeasuring final : public SlicedWork<double> {
- public:
-  explicit AngleMeasuring(const PolygonMesh& remesh) : triangles_(remesh) {}
-
-  bool advance(long budget) override { return triangles_.step(budget); }
-  double share() const override { return 0; }  // short
-  double result() override { return triangles_.quality().minAngle; }
-
- private:
-  TriangleMeasuring triangles_;
-};
-
 }  // namespace
 
-std::unique_ptr<SlicedWork<double>> startMinAngle(const PolygonMesh& remesh) {
-  return std::make_unique<AngleMeasuring>(remesh);
+std::unique_ptr<SlicedWork<RemeshQuality>> startTriangleQuality(const PolygonMesh& remesh) {
+  return std::make_unique<TriangleMeasuring>(remesh);
 }
 
 std::unique_ptr<SlicedWork<RemeshQuality>> startQuality(
