@@ -83,7 +83,7 @@ void TriangleOrienting::visit(int index) {
   if (static_cast<std::size_t>(index) == queue_.size()) {
     endComponent();
     while (out_.component[nextRoot_] >= 0) ++nextRoot_;
-    out_.component[nextRoot_] = out_.components++;
+    out_.component[nextRoot_] = static_cast<int>(out_.size.size());
     queue_.push_back(nextRoot_);
   }
   const int f = queue_[index];
@@ -103,9 +103,10 @@ void TriangleOrienting::visit(int index) {
 
 /// If most triangles of a component are marked as turned over, the others are turned over instead.
 void TriangleOrienting::endComponent() {
-  const std::size_t members = queue_.size() - firstOfComponent_;
-  if (members > 0)
-    isComponentTurned_.push_back(static_cast<char>(2 * static_cast<std::size_t>(flips_) > members));
+  const int members = static_cast<int>(queue_.size() - firstOfComponent_);
+  if (members == 0) return;
+  isComponentTurned_.push_back(static_cast<char>(flips_ > members / 2));
+  out_.size.push_back(members);
   firstOfComponent_ = queue_.size();
   flips_ = 0;
 }
@@ -118,39 +119,34 @@ void TriangleOrienting::turnOver(int t) {
 
 // --- Small components --------------------------------------------------------------------------
 
-bool SmallComponents::step(long& budget) {
-  return least_ <= 1 ||
-         sequence_.run(
-             [&] { return fillInSlices(size_, oriented_.components, 0, budget); },
-             forEach(count_, budget, kQuickRounds, [&](int t) { ++size_[oriented_.component[t]]; }),
-             [&] { numberAnew(); }, [&] { return repairs_.smallComponents == 0 || drop(budget); });
+SmallComponents::SmallComponents(int least, Selection& selection, OrientedComponents& oriented,
+                                 MeshRepairs& repairs)
+    : count_(selection.input.size()),
+      selection_(selection),
+      oriented_(oriented),
+      repairs_(repairs) {
+  int components = 0;
+  for (const int size : oriented.size) newComponent_.push_back(size < least ? -1 : components++);
+  if (components == 0)
+    rejectMesh("no component has " + std::to_string(least) + " triangles: the largest has " +
+               std::to_string(*std::max_element(oriented.size.begin(), oriented.size.end())));
+  repairs.smallComponents =
+      static_cast<int>(std::erase_if(oriented.size, [&](int size) { return size < least; }));
 }
 
-bool SmallComponents::drop(long& budget) {
-  return dropping_.run([&] { return fillInSlices(newTriangle_, count_, -1, budget); },
+bool SmallComponents::step(long& budget) {
+  if (repairs_.smallComponents == 0) return true;
+  Faces& faces = selection_.faces;
+  return sequence_.run([&] { return fillInSlices(newTriangle_, count_, -1, budget); },
                        forEach(count_, budget, 8, [&](int t) { moveUp(t); }), [&] { shorten(); },
-                       [&](SlicedLoop& loop) {
-                         Faces& faces = selection_.faces;
-                         return loop.run(3 * faces.size(), budget, kQuickRounds, [&](int h) {
-                           if (int& twin = twinOf(faces, h); twin >= 0)
-                             twin = 3 * newTriangle_[twin / 3] + twin % 3;
-                         });
-                       },
+                       forEach(faces, budget, 8,
+                               [&](int f) {
+                                 for (int& twin : faces[f].twins)
+                                   if (twin >= 0) twin = 3 * newTriangle_[twin / 3] + twin % 3;
+                               }),
                        forEach(selection_.kept, budget, kQuickRounds, [&](int t) {
                          if (int& kept = selection_.kept[t]; kept >= 0) kept = newTriangle_[kept];
                        }));
-}
-
-void SmallComponents::numberAnew() {
-  newComponent_.assign(size_.size(), -1);
-  int components = 0;
-  for (std::size_t c = 0; c < size_.size(); ++c)
-    if (size_[c] >= least_) newComponent_[c] = components++;
-  if (components == 0)
-    rejectMesh("no component has " + std::to_string(least_) + " triangles: the largest has " +
-               std::to_string(*std::max_element(size_.begin(), size_.end())));
-  repairs_.smallComponents = oriented_.components - components;
-  oriented_.components = components;
 }
 
 /// Moves a kept triangle towards the front of all lists.

@@ -41,7 +41,7 @@ class HalfedgeMatching {
 struct OrientedComponents {
   std::vector<int> component;  ///< of each triangle, numbered in order of the first triangle
   std::vector<char> flipped;   ///< of each triangle, whether it was turned over
-  int components = 0;
+  std::vector<int> size;       ///< of each component, its number of triangles
 };
 
 /// Orients each component like the majority of its triangles (on a draw, like the first), and cuts
@@ -82,28 +82,19 @@ class SmallComponents {
  public:
   /// Changes all lists and counts passed, which must outlive this.
   SmallComponents(int least, Selection& selection, OrientedComponents& oriented,
-                  MeshRepairs& repairs)
-      : least_(least),
-        count_(selection.input.size()),
-        selection_(selection),
-        oriented_(oriented),
-        repairs_(repairs) {}
+                  MeshRepairs& repairs);
   bool step(long& budget);
 
  private:
-  void numberAnew();
-  bool drop(long& budget);
   void moveUp(int t);
   void shorten();
 
-  const int least_;
   const std::size_t count_;  ///< of triangles
   Selection& selection_;
   OrientedComponents& oriented_;
   MeshRepairs& repairs_;
 
-  SlicedSequence sequence_, dropping_;
-  std::vector<int> size_;          ///< of each component
+  SlicedSequence sequence_;
   std::vector<int> newComponent_;  ///< of each component, -1 if it is dropped
   std::vector<int> newTriangle_;   ///< of each triangle, -1 if it is dropped
   int kept_ = 0;

@@ -343,7 +343,7 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
     const int boundaryEdges = static_cast<int>(boundary_.size());  // each vertex begins one
     MeshTopology& topology = mesh_.topology_;
     topology.edges = (mesh_.halfedgeCount() + boundaryEdges) / 2;
-    topology.components = oriented_.components;
+    topology.components = static_cast<int>(oriented_.size.size());
     topology.eulerCharacteristic = mesh_.vertexCount() - topology.edges + mesh_.faceCount();
     topology.boundaryLoops = static_cast<int>(mesh_.boundaryLoops_.size());
     topology.genus =
