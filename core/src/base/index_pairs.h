@@ -25,14 +25,14 @@ class IndexPairs {
     return fillInSlices(first_, std::bit_ceil(count + 1), -1, budget);
   }
 
-  /// Adds a pair; returns its number, which is the former `count()` if the pair is new.
+  /// Adds a pair; returns its number, which is the former `size()` if the pair is new.
   [[gnu::noinline]] int add(int a, int b) {
     const int known = find(a, b);
     if (known >= 0) return known;
     const std::array<int, 2> pair = {std::min(a, b), std::max(a, b)};
-    next_.push_back(std::exchange(first_[bucketOf(pair)], count()));
+    next_.push_back(std::exchange(first_[bucketOf(pair)], size()));
     pairs_.push_back(pair);
-    return count() - 1;
+    return size() - 1;
   }
   /// The number of a pair, -1 if it was not added.
   [[gnu::noinline]] int find(int a, int b) const {
@@ -42,7 +42,7 @@ class IndexPairs {
     return i;
   }
 
-  int count() const { return static_cast<int>(pairs_.size()); }
+  int size() const { return static_cast<int>(pairs_.size()); }
   /// A pair by its number, the lower index first.
   const std::array<int, 2>& operator[](int number) const { return pairs_[number]; }
   std::vector<std::array<int, 2>> take() { return std::move(pairs_); }

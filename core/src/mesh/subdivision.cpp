@@ -165,7 +165,7 @@ class Subdivision final : public SlicedWork<SubdividedTriangles> {
 
   /// The vertex at a midpoint, added if it is not there yet.
   int midpointOf(int a, int b, const Vector3d& p) {
-    const int count = midpoints_.count(), given = vertexCount() - count;
+    const int count = midpoints_.size(), given = vertexCount() - count;
     const int midpoint = midpoints_.add(a, b);
     if (midpoint == count) out_.positions.insert(out_.positions.end(), p.begin(), p.end());
     return given + midpoint;

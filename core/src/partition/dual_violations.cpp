@@ -51,11 +51,6 @@ ViolationFinding::ViolationFinding(const TriangleMesh& mesh, std::span<const Sur
 bool ViolationFinding::step(long& budget) {
   const auto forVertices = [&](auto body) { return forEach(complex_.vertices, budget, 1, body); };
   const auto forBorders = [&](auto body) { return forEach(complex_.borders, budget, 4, body); };
-  const auto forPairs = [&](auto body) {
-    return [this, &budget, body](SlicedLoop& loop) {
-      return loop.run(pairs_.count(), budget, 1, body);
-    };
-  };
   return sequence_.run(
       forEach(mesh_.faceCount(), budget, kQuickRounds, [&](int f) { findBareFace(f); }),
       [&] { addBareComponents(); },
@@ -65,16 +60,16 @@ bool ViolationFinding::step(long& budget) {
       forBorders([&](int b) { addMeetingAlong(b); }), forVertices([&](int v) { addMeetingsAt(v); }),
       [&] {
         return bordersOf_.run(
-            static_cast<int>(pairOfBorder_.size()), pairs_.count(),
+            static_cast<int>(pairOfBorder_.size()), pairs_.size(),
             [&](int b) { return pairOfBorder_[b]; }, budget);
       },
       [&] {
         return meetingsOf_.run(
-            static_cast<int>(vertexMeetings_.size()), pairs_.count(),
+            static_cast<int>(vertexMeetings_.size()), pairs_.size(),
             [&](int i) { return vertexMeetings_[i].pair; }, budget);
       },
-      forPairs([&](int pair) { inspectPair(pair); }),
-      forPairs([&](int pair) { findTriples(pair); }), [&] { addTriples(); },
+      forEach(pairs_, budget, 1, [&](int pair) { inspectPair(pair); }),
+      forEach(pairs_, budget, 1, [&](int pair) { findTriples(pair); }), [&] { addTriples(); },
       forVertices([&](int v) { inspectBoundaryFrom(v); }),
       forBorders([&](int b) { inspectClosedRun(complex_.borders[b]); }),
       [&] { return !found_.empty() || inspectDual(budget); },

@@ -193,7 +193,7 @@ class TopologyFinding final : public SlicedWork<PolygonTopology> {
   }
 
   void addUp() {
-    out_.edges = sides_.count();
+    out_.edges = sides_.size();
     out_.eulerCharacteristic = out_.vertices - out_.edges + out_.faces;
     if (out_.isManifold)
       out_.genus = genusOf(out_.components, out_.boundaryLoops, out_.eulerCharacteristic);

@@ -81,7 +81,7 @@ class TriangleMeasuring final : public SlicedWork<RemeshQuality> {
     perimeters_ += perimeter(triangle);
     for (const int v : cut_[t]) ++triangles_[v];
     for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
-      const int count = joined_.count();
+      const int count = joined_.size();
       if (joined_.add(from, to) < count) continue;
       ++neighbours_[from];
       neighbours_[to] += from != to;
