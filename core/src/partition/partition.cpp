@@ -180,58 +180,34 @@ class Partitioner final : public SlicedWork<Partition> {
   }
 
   bool advance(long budget) override {
+    const int siteCount = diagram_.siteCount;
+    const auto groupOf = [&](int i) { return pieces_[i].label < 0 ? siteCount : pieces_[i].label; };
     return sequence_.run(
         [&] { return cutting_.step(budget); },
         [&] {
           pieces_ = cutting_.takePieces();
           uncut_ = cutting_.takeUncut();
         },
-        [&] { return groupByLabel(budget); }, [&] { return numberVertices(budget); },
-        [&] { return twins_.prepare(3 * out_.triangles.size(), budget); },
-        forEach(out_.triangles, budget, 4, [&](int t) { matchTwins(t); }),
         [&] {
-          out_.twins = twins_.take();
-          twins_ = {};
+          const int pieces = static_cast<int>(pieces_.size());
+          return byLabel_.run(pieces, siteCount + 1, groupOf, budget);
         },
-        [&] { return runPart(patches_, budget, mesh_, diagram_.siteCount, areas_, out_); });
-  }
-  double share() const override { return sequence_.progress(); }
-  Partition result() override { return std::move(out_); }
-
- private:
-  bool groupByLabel(long& budget) {
-    const int n = static_cast<int>(pieces_.size());
-    const auto partOf = [&](int i) {
-      return pieces_[i].label < 0 ? diagram_.siteCount : pieces_[i].label;
-    };
-    return grouping_.run([&] { return byLabel_.run(n, diagram_.siteCount + 1, partOf, budget); },
-                         [&] {
-                           out_.triangles.reserve(n);
-                           out_.triangleLabel.reserve(n);
-                           out_.triangleFace.reserve(n);
-                           areas_.reserve(n);
-                         },
-                         forEach(n, budget, 8, [&](int t) { addTriangle(byLabel_.items()[t], t); }),
-                         [&] { byLabel_ = {}; });
-  }
-
-  void addTriangle(int i, int t) {
-    const Piece& piece = pieces_[i];
-    if (int& uncut = uncut_[piece.face]; uncut >= 0) uncut = t;
-    out_.triangles.push_back(piece.vertices);
-    out_.triangleLabel.push_back(piece.label);
-    out_.triangleFace.push_back(piece.face);
-    areas_.push_back(piece.area);
-  }
-
-  bool numberVertices(long& budget) {
-    const size_t n = out_.triangles.size(), all = mesh_.vertexCount() + diagram_.points.size();
-    return numbering_.run(
         [&] {
+          out_.triangles.reserve(pieces_.size());
+          out_.triangleLabel.reserve(pieces_.size());
+          out_.triangleFace.reserve(pieces_.size());
+          areas_.reserve(pieces_.size());
+        },
+        forEach(pieces_, budget, 8, [&](int t) { addTriangle(byLabel_.items()[t], t); }),
+        [&] {
+          byLabel_ = {};
           release(pieces_);
+        },
+        [&] {
+          const std::size_t all = mesh_.vertexCount() + diagram_.points.size();
           return fillInSlices(number_, all, -1, budget);
         },
-        forEach(n, budget, 8,
+        forEach(out_.triangles, budget, 8,
                 [&](int t) {
                   for (const int v : out_.triangles[t]) used_ += std::exchange(number_[v], 0) < 0;
                 }),
@@ -239,9 +215,30 @@ class Partitioner final : public SlicedWork<Partition> {
           out_.points.reserve(used_);
           out_.positions.reserve(used_);
         },
-        forEach(all, budget, 8, [&](int v) { numberVertex(v); }), forEach(n, budget, 8, [&](int t) {
-          for (int& v : out_.triangles[t]) v = number_[v];
-        }));
+        forEach(number_, budget, 8, [&](int v) { numberVertex(v); }),
+        forEach(out_.triangles, budget, 8,
+                [&](int t) {
+                  for (int& v : out_.triangles[t]) v = number_[v];
+                }),
+        [&] { return twins_.prepare(3 * out_.triangles.size(), budget); },
+        forEach(out_.triangles, budget, 4, [&](int t) { matchTwins(t); }),
+        [&] {
+          out_.twins = twins_.take();
+          twins_ = {};
+        },
+        [&] { return runPart(patches_, budget, mesh_, siteCount, areas_, out_); });
+  }
+  double share() const override { return sequence_.progress(); }
+  Partition result() override { return std::move(out_); }
+
+ private:
+  void addTriangle(int i, int t) {
+    const Piece& piece = pieces_[i];
+    if (int& uncut = uncut_[piece.face]; uncut >= 0) uncut = t;
+    out_.triangles.push_back(piece.vertices);
+    out_.triangleLabel.push_back(piece.label);
+    out_.triangleFace.push_back(piece.face);
+    areas_.push_back(piece.area);
   }
 
   void numberVertex(int v) {
@@ -297,7 +294,7 @@ class Partitioner final : public SlicedWork<Partition> {
   const PartitionOptions options_;
   Partition out_;
 
-  SlicedSequence sequence_, grouping_, numbering_;
+  SlicedSequence sequence_;
   FaceCutting cutting_{mesh_, diagram_, options_};
   std::vector<Piece> pieces_;
   std::vector<int> uncut_;     ///< per face that is not cut, its piece, later its triangle; else -1
