@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "gvd/sliced_work.h"
+
 namespace gvd {
 
 /// A loop over the indices 0 … count - 1 that stops when a budget is used up, and continues there
@@ -97,6 +99,17 @@ class SlicedSequence {
 
   int done_ = 0, count_ = 0;
   SlicedLoop loop_;  ///< of the current part, if that is a loop
+};
+
+/// Work that is one sequence of parts, by which its progress is told, and that fills in its result.
+template <class Result>
+class SequentialWork : public SlicedWork<Result> {
+ protected:
+  double share() const override { return sequence_.progress(); }
+  Result result() override { return std::move(out_); }
+
+  SlicedSequence sequence_;
+  Result out_;
 };
 
 /// Works on a part, which is constructed from `arguments` in the first call; true when it is done.

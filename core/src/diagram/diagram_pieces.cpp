@@ -164,7 +164,7 @@ const std::vector<int>& DiagramPieces::regionTriangles(int label) {
 }
 
 /// Joins all pieces to one diagram.
-class DiagramPieces::Joining final : public SlicedWork<Diagram> {
+class DiagramPieces::Joining final : public SequentialWork<Diagram> {
  public:
   explicit Joining(const DiagramPieces& pieces) : pieces_(pieces) {}
 
@@ -178,7 +178,6 @@ class DiagramPieces::Joining final : public SlicedWork<Diagram> {
         forEach(pieces_.regions_, budget, 1, [&](int label) { addRegion(label); }),
         forEach(faceLabel, budget, 4, [&](int f) { addFace(f); }));
   }
-  double share() const override { return sequence_.progress(); }
   Diagram result() override {
     out_.siteCount = static_cast<int>(pieces_.regions_.size());
     out_.points = points_.take();
@@ -227,9 +226,7 @@ class DiagramPieces::Joining final : public SlicedWork<Diagram> {
   }
 
   const DiagramPieces& pieces_;
-  SlicedSequence sequence_;
   PlaceIndex points_;
-  Diagram out_;
 };
 
 std::unique_ptr<SlicedWork<Diagram>> DiagramPieces::startDiagram() const {

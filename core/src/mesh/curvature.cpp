@@ -26,7 +26,7 @@ using Eigen::Vector3d;
 constexpr double kDefectRounding = 0x1p-46;
 
 /// The curvatures at all vertices, with the areas of the vertices.
-class CurvatureMeasuring final : public SlicedWork<VertexCurvatures> {
+class CurvatureMeasuring final : public SequentialWork<VertexCurvatures> {
  public:
   explicit CurvatureMeasuring(const TriangleMesh& mesh) : mesh_(mesh) {}
 
@@ -37,14 +37,12 @@ class CurvatureMeasuring final : public SlicedWork<VertexCurvatures> {
                          [&] {
                            return fillInSlices(areaGradients_, vertices, {0, 0, 0}, budget);
                          },
-                         [&] { return fillInSlices(curvatures_.gaussian, vertices, 0., budget); },
-                         [&] { return fillInSlices(curvatures_.mean, vertices, 0., budget); },
+                         [&] { return fillInSlices(out_.gaussian, vertices, 0., budget); },
+                         [&] { return fillInSlices(out_.mean, vertices, 0., budget); },
                          forEach(mesh_.faceCount(), budget, 4, [&](int f) { addFace(f); }),
                          forVertices([&](int v) { measure(v); }),
                          forVertices([&](int v) { takeFromNeighbours(v); }));
   }
-  double share() const override { return sequence_.progress(); }
-  VertexCurvatures result() override { return std::move(curvatures_); }
   /// A third of the area of the faces around each vertex.
   std::vector<double> takeAreas() { return std::move(areas_); }
 
@@ -65,8 +63,8 @@ class CurvatureMeasuring final : public SlicedWork<VertexCurvatures> {
 
   void measure(int v) {
     if (mesh_.onBoundary(v)) return;
-    curvatures_.gaussian[v] = (2 * std::numbers::pi - mesh_.angleSum(v)) / areas_[v];
-    curvatures_.mean[v] = areaGradients_[v].norm() / (2 * areas_[v]);
+    out_.gaussian[v] = (2 * std::numbers::pi - mesh_.angleSum(v)) / areas_[v];
+    out_.mean[v] = areaGradients_[v].norm() / (2 * areas_[v]);
   }
 
   /// The formulas do not hold on the boundary: a vertex there gets the mean of its inner
@@ -77,20 +75,18 @@ class CurvatureMeasuring final : public SlicedWork<VertexCurvatures> {
     int count = 0;
     mesh_.visitNeighbours(v, [&](int neighbour) {
       if (mesh_.onBoundary(neighbour)) return;
-      gaussian += curvatures_.gaussian[neighbour];
-      mean += curvatures_.mean[neighbour];
+      gaussian += out_.gaussian[neighbour];
+      mean += out_.mean[neighbour];
       ++count;
     });
     if (count == 0) return;
-    curvatures_.gaussian[v] = gaussian / count;
-    curvatures_.mean[v] = mean / count;
+    out_.gaussian[v] = gaussian / count;
+    out_.mean[v] = mean / count;
   }
 
   const TriangleMesh& mesh_;
-  SlicedSequence sequence_;
   std::vector<double> areas_;
   std::vector<Vector3d> areaGradients_;
-  VertexCurvatures curvatures_;
 };
 
 class DensityMaking final : public SlicedWork<std::vector<double>> {

@@ -33,7 +33,7 @@ void requireValid(const SubdivisionOptions& options) {
 
 /// Subdivides twice: first the parts are only counted, so that there is room for them, or an error,
 /// before the first of them is made.
-class Subdivision final : public SlicedWork<SubdividedTriangles> {
+class Subdivision final : public SequentialWork<SubdividedTriangles> {
  public:
   Subdivision(std::vector<double> positions, std::vector<int> triangles,
               const SubdivisionOptions& options)
@@ -56,7 +56,6 @@ class Subdivision final : public SlicedWork<SubdividedTriangles> {
         [&] { return midpoints_.prepare(addedParts(), budget); }, [&] { hasRoom_ = true; },
         [&] { return splitAll(budget); });
   }
-  double share() const override { return sequence_.progress(); }
   SubdividedTriangles result() override {
     out_.ends = midpoints_.take();
     return std::move(out_);
@@ -179,7 +178,6 @@ class Subdivision final : public SlicedWork<SubdividedTriangles> {
   const SubdivisionOptions options_;
   const std::vector<int> triangles_;  ///< as given
 
-  SlicedSequence sequence_;
   Eigen::AlignedBox3d box_;
   double longest_ = 0;      ///< sides longer than this are halved
   int next_ = 0;            ///< triangle
@@ -187,7 +185,6 @@ class Subdivision final : public SlicedWork<SubdividedTriangles> {
   int partCount_ = 0;
   bool hasRoom_ = false;
   IndexPairs midpoints_;  ///< by the ends of their sides
-  SubdividedTriangles out_;
 };
 
 }  // namespace

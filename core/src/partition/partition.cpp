@@ -172,7 +172,7 @@ class FaceCutting {
 };
 
 /// Sorts the pieces by label, and finds vertices, twins and the facts of regions.
-class Partitioner final : public SlicedWork<Partition> {
+class Partitioner final : public SequentialWork<Partition> {
  public:
   Partitioner(const TriangleMesh& mesh, const Diagram& diagram, const PartitionOptions& options)
       : mesh_(mesh), diagram_(diagram), options_(options) {
@@ -228,8 +228,6 @@ class Partitioner final : public SlicedWork<Partition> {
         },
         [&] { return runPart(patches_, budget, mesh_, siteCount, areas_, out_); });
   }
-  double share() const override { return sequence_.progress(); }
-  Partition result() override { return std::move(out_); }
 
  private:
   void addTriangle(int i, int t) {
@@ -292,9 +290,7 @@ class Partitioner final : public SlicedWork<Partition> {
   const TriangleMesh& mesh_;
   const Diagram& diagram_;
   const PartitionOptions options_;
-  Partition out_;
 
-  SlicedSequence sequence_;
   FaceCutting cutting_{mesh_, diagram_, options_};
   std::vector<Piece> pieces_;
   std::vector<int> uncut_;     ///< per face that is not cut, its piece, later its triangle; else -1

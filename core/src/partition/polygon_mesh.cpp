@@ -41,7 +41,7 @@ auto forFaces(const PolygonMesh& mesh, long& budget, Body body) {
                      std::to_string(v));
 }
 
-class Triangulating final : public SlicedWork<PolygonTriangles> {
+class Triangulating final : public SequentialWork<PolygonTriangles> {
  public:
   explicit Triangulating(const PolygonMesh& mesh) : mesh_(mesh) {}
 
@@ -52,8 +52,6 @@ class Triangulating final : public SlicedWork<PolygonTriangles> {
                          forFaces(mesh_, budget, [&](int f) { joinSides(f); }),
                          forFaces(mesh_, budget, [&](int f) { cut(f); }));
   }
-  double share() const override { return sequence_.progress(); }
-  PolygonTriangles result() override { return std::move(out_); }
 
  private:
   void joinSides(int f) {
@@ -85,16 +83,14 @@ class Triangulating final : public SlicedWork<PolygonTriangles> {
   }
 
   const PolygonMesh& mesh_;
-  SlicedSequence sequence_;
   IndexPairs joined_;  ///< vertices with a side or a diagonal between them
-  PolygonTriangles out_;
   // Of the current polygon.
   std::vector<Eigen::Vector2d> corners_;
   ConvexTriangulation triangulation_;
 };
 
 /// Halfedge h leaves corner h in the list of all faces' corners.
-class TopologyFinding final : public SlicedWork<PolygonTopology> {
+class TopologyFinding final : public SequentialWork<PolygonTopology> {
  public:
   explicit TopologyFinding(const PolygonMesh& mesh)
       : mesh_(mesh),
@@ -119,8 +115,6 @@ class TopologyFinding final : public SlicedWork<PolygonTopology> {
                                  }),
                          [&] { addUp(); });
   }
-  double share() const override { return sequence_.progress(); }
-  PolygonTopology result() override { return out_; }
 
  private:
   int tail(int h) const { return mesh_.faces.points[h]; }
@@ -200,7 +194,6 @@ class TopologyFinding final : public SlicedWork<PolygonTopology> {
   }
 
   const PolygonMesh& mesh_;
-  SlicedSequence sequence_;
   IndexPairs sides_;
   std::vector<std::array<int, 2>> onSide_;  ///< halfedges, -1 for none
   std::vector<int> leaving_;                ///< a halfedge of each vertex
@@ -209,7 +202,6 @@ class TopologyFinding final : public SlicedWork<PolygonTopology> {
   std::vector<int> sorted_;     ///< vertices of the current face
   std::vector<char> isWalked_;  ///< halfedges
   DisjointSets joined_;         ///< vertices
-  PolygonTopology out_;
 };
 
 }  // namespace

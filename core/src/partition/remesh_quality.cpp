@@ -40,7 +40,7 @@ double perimeter(const SpaceTriangle& t) {
 }
 
 /// Measures the triangles of a remesh.
-class TriangleMeasuring final : public SlicedWork<RemeshQuality> {
+class TriangleMeasuring final : public SequentialWork<RemeshQuality> {
  public:
   /// The remesh must outlive this.
   explicit TriangleMeasuring(const PolygonMesh& remesh)
@@ -54,19 +54,17 @@ class TriangleMeasuring final : public SlicedWork<RemeshQuality> {
                          [&] {
                            cut_ = cutting_->take().triangles;
                            inSpace_.reserve(cut_.size());
-                           quality_.triangles = static_cast<int>(cut_.size());
-                           if (!cut_.empty()) quality_.minAngle = 180;
+                           out_.triangles = static_cast<int>(cut_.size());
+                           if (!cut_.empty()) out_.minAngle = 180;
                          },
                          [&] { return joined_.prepare(2 * cut_.size(), budget); },
                          forEach(cut_, budget, 1, [&](int t) { measure(t); }),
                          forEach(neighbours_, budget, kQuickRounds, [&](int v) { addValence(v); }),
                          [&] {
                            if (inside_ > 0)
-                             quality_.regularShare = static_cast<double>(regular_) / inside_;
+                             out_.regularShare = static_cast<double>(regular_) / inside_;
                          });
   }
-  double share() const override { return sequence_.progress(); }
-  RemeshQuality result() override { return quality_; }
   double meanSide() const { return perimeters_ / (3 * static_cast<double>(cut_.size())); }
   std::vector<SpaceTriangle> takeInSpace() { return std::move(inSpace_); }
 
@@ -76,8 +74,8 @@ class TriangleMeasuring final : public SlicedWork<RemeshQuality> {
     const SpaceTriangle& triangle = inSpace_.emplace_back(
         SpaceTriangle{remesh_.positions[a], remesh_.positions[b], remesh_.positions[c]});
     const double angle = leastAngle(triangle);
-    quality_.minAngle = std::min(quality_.minAngle, angle);
-    quality_.meanMinAngle += angle / quality_.triangles;
+    out_.minAngle = std::min(out_.minAngle, angle);
+    out_.meanMinAngle += angle / out_.triangles;
     perimeters_ += perimeter(triangle);
     for (const int v : cut_[t]) ++triangles_[v];
     for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
@@ -92,14 +90,13 @@ class TriangleMeasuring final : public SlicedWork<RemeshQuality> {
   void addValence(int v) {
     const int valence = neighbours_[v];
     if (valence == 0 || valence != triangles_[v]) return;
-    quality_.minValence = inside_ == 0 ? valence : std::min(quality_.minValence, valence);
-    quality_.maxValence = std::max(quality_.maxValence, valence);
+    out_.minValence = inside_ == 0 ? valence : std::min(out_.minValence, valence);
+    out_.maxValence = std::max(out_.maxValence, valence);
     regular_ += valence == 6;
     ++inside_;
   }
 
   const PolygonMesh& remesh_;
-  SlicedSequence sequence_;
   std::unique_ptr<SlicedWork<PolygonTriangles>> cutting_;
   std::vector<std::array<int, 3>> cut_;
   std::vector<SpaceTriangle> inSpace_;
@@ -107,10 +104,9 @@ class TriangleMeasuring final : public SlicedWork<RemeshQuality> {
   IndexPairs joined_;                        ///< neighbours
   int inside_ = 0, regular_ = 0;             ///< vertices
   double perimeters_ = 0;                    ///< of all triangles
-  RemeshQuality quality_;
 };
 
-class QualityMeasuring final : public SlicedWork<RemeshQuality> {
+class QualityMeasuring final : public SequentialWork<RemeshQuality> {
  public:
   QualityMeasuring(const TriangleMesh& surface, std::unique_ptr<SlicedWork<PolygonMesh>> remeshing)
       : surface_(surface), remeshing_(std::move(remeshing)), surfaceTree_(surface) {}
@@ -125,7 +121,7 @@ class QualityMeasuring final : public SlicedWork<RemeshQuality> {
         },
         [&] { return runPart(triangles_, budget, remesh_); },
         [&] {
-          quality_ = triangles_->take();
+          out_ = triangles_->take();
           // Not zero, where the remesh is as small as a point.
           const double mean = surface_.meanEdgeLength();
           resolution_ = std::max(std::min(mean, triangles_->meanSide()), mean / 64);
@@ -137,23 +133,19 @@ class QualityMeasuring final : public SlicedWork<RemeshQuality> {
           return runPart(fromSurface_, budget, surfaceTree_, *remeshTree_, fromRemesh_->distance(),
                          resolution_);
         },
-        [&] { quality_.hausdorff = fromSurface_->distance(); });
+        [&] { out_.hausdorff = fromSurface_->distance(); });
   }
-  double share() const override { return sequence_.progress(); }
-  RemeshQuality result() override { return quality_; }
 
  private:
   const TriangleMesh& surface_;
   std::unique_ptr<SlicedWork<PolygonMesh>> remeshing_;  ///< null if the remesh is given
   PolygonMesh remesh_;
 
-  SlicedSequence sequence_;
   std::optional<TriangleMeasuring> triangles_;
   std::optional<TriangleTree> remeshTree_;
   TriangleTree surfaceTree_;
   double resolution_ = 0;  ///< the shorter mean edge of the two
   std::optional<OneSidedHausdorff> fromRemesh_, fromSurface_;
-  RemeshQuality quality_;
 };
 
 }  // namespace

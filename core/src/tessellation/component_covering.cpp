@@ -47,7 +47,7 @@ class CountedPoints {
 
 /// Draws points on the components that have fewer than `perComponent`, as many as they lack, and
 /// drops given ones, from the last to the first, while there are too many.
-class ComponentCovering final : public SlicedWork<std::vector<SurfacePoint>> {
+class ComponentCovering final : public SequentialWork<std::vector<SurfacePoint>> {
  public:
   ComponentCovering(const TriangleMesh& mesh, std::vector<SurfacePoint> points, int perComponent,
                     int count, std::uint64_t seed)
@@ -77,16 +77,15 @@ class ComponentCovering final : public SlicedWork<std::vector<SurfacePoint>> {
           return loop.runWeighted(lacking_.size(), budget, kPointsPerUnit,
                                   [&](int c) { return drawOn(c) + 1L; });
         },
+        // The list is filled from the last point to the first, and reversed in the end.
         [&] {
           surplus_ = static_cast<std::int64_t>(missing_.size()) - count_;
           for (const int count : given_.counts()) surplus_ += count;
-          covering_.assign(missing_.rbegin(), missing_.rend());
+          out_.assign(missing_.rbegin(), missing_.rend());
         },
         forGiven([&](int i) { keepOrDrop(given_[static_cast<int>(given_.size()) - 1 - i]); }),
-        [&] { std::reverse(covering_.begin(), covering_.end()); });
+        [&] { std::reverse(out_.begin(), out_.end()); });
   }
-  double share() const override { return sequence_.progress(); }
-  std::vector<SurfacePoint> result() override { return std::move(covering_); }
 
  private:
   /// The faces of a component that lacks points, and the cumulative sums of their areas.
@@ -118,7 +117,7 @@ class ComponentCovering final : public SlicedWork<std::vector<SurfacePoint>> {
       --given_.counts()[mesh_.component(p.face)];
       --surplus_;
     } else {
-      covering_.push_back(p);
+      out_.push_back(p);
     }
   }
 
@@ -126,14 +125,12 @@ class ComponentCovering final : public SlicedWork<std::vector<SurfacePoint>> {
   CountedPoints given_;
   const int perComponent_, count_;
   std::mt19937_64 random_;
-  SlicedSequence sequence_;
   std::vector<Faces> lacking_;  ///< per component
   std::vector<SurfacePoint> missing_;
   std::int64_t surplus_ = 0;
-  std::vector<SurfacePoint> covering_;  ///< from the last to the first
 };
 
-class BareCounting final : public SlicedWork<BareComponents> {
+class BareCounting final : public SequentialWork<BareComponents> {
  public:
   BareCounting(const TriangleMesh& mesh, std::span<const SurfacePoint> points)
       : mesh_(mesh), points_(mesh, {points.begin(), points.end()}) {}
@@ -143,20 +140,16 @@ class BareCounting final : public SlicedWork<BareComponents> {
         forEach(points_.size(), budget, kPointsPerUnit, [&](int i) { points_.count(i); }),
         [&] {
           const std::vector<int>& counts = points_.counts();
-          bare_.components = static_cast<int>(std::count(counts.begin(), counts.end(), 0));
+          out_.components = static_cast<int>(std::count(counts.begin(), counts.end(), 0));
         },
         forEach(mesh_.faceCount(), budget, kFacesPerUnit, [&](int f) {
-          if (points_.counts()[mesh_.component(f)] == 0) bare_.area += mesh_.faceArea(f);
+          if (points_.counts()[mesh_.component(f)] == 0) out_.area += mesh_.faceArea(f);
         }));
   }
-  double share() const override { return sequence_.progress(); }
-  BareComponents result() override { return bare_; }
 
  private:
   const TriangleMesh& mesh_;
   CountedPoints points_;
-  SlicedSequence sequence_;
-  BareComponents bare_;
 };
 
 }  // namespace

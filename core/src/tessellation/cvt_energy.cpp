@@ -55,7 +55,7 @@ class LogMaps {
   std::vector<Value> values_;
 };
 
-class Integrator final : public SlicedWork<CvtEnergy> {
+class Integrator final : public SequentialWork<CvtEnergy> {
  public:
   Integrator(const TriangleMesh& mesh, const DistanceField& distances, const Diagram& diagram,
              std::span<const double> density)
@@ -72,8 +72,6 @@ class Integrator final : public SlicedWork<CvtEnergy> {
         forEach(diagram_.cells, budget, 2, [&](int c) { addCell(c); }),
         forEach(faces, budget, kQuickRounds, [&](int f) { out_.energy += out_.faceEnergy[f]; }));
   }
-  double share() const override { return sequence_.progress(); }
-  CvtEnergy result() override { return std::move(out_); }
 
  private:
   void addFace(int face) {
@@ -148,9 +146,7 @@ class Integrator final : public SlicedWork<CvtEnergy> {
   const DistanceField& distances_;
   const Diagram& diagram_;
   const std::span<const double> density_;
-  SlicedSequence sequence_;
   LogMaps logMaps_;
-  CvtEnergy out_;
 
   // Of the current face and label, by corner.
   int face_ = -1, label_ = -1;

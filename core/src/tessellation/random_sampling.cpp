@@ -21,7 +21,7 @@ namespace {
 
 /// Draws faces by the integrals of the square root of the density, and points within a face by
 /// rejection. Without a density, faces are drawn by their areas, and no point is rejected.
-class RandomSampling final : public SlicedWork<std::vector<SurfacePoint>> {
+class RandomSampling final : public SequentialWork<std::vector<SurfacePoint>> {
  public:
   RandomSampling(const TriangleMesh& mesh, std::vector<double> density, int count,
                  std::uint64_t seed)
@@ -33,7 +33,7 @@ class RandomSampling final : public SlicedWork<std::vector<SurfacePoint>> {
     return sequence_.run(
         [&] {
           sums_.reserve(mesh_.faceCount());
-          points_.reserve(count_);  // what does not fit is not tried
+          out_.reserve(count_);  // what does not fit is not tried
         },
         forEach(mesh_.faceCount(), budget, 8,
                 [&](int f) {
@@ -43,10 +43,8 @@ class RandomSampling final : public SlicedWork<std::vector<SurfacePoint>> {
         [&] {
           if (!(sum_ > 0)) rejectArgument("the density is zero all over the surface");
         },
-        forEach(count_, budget, 1, [&](int) { points_.push_back(draw()); }));
+        forEach(count_, budget, 1, [&](int) { out_.push_back(draw()); }));
   }
-  double share() const override { return sequence_.progress(); }
-  std::vector<SurfacePoint> result() override { return std::move(points_); }
 
  private:
   Eigen::Vector3d rootsOf(int face) const {
@@ -68,10 +66,8 @@ class RandomSampling final : public SlicedWork<std::vector<SurfacePoint>> {
   const std::vector<double> density_;
   const int count_;
   std::mt19937_64 random_;
-  SlicedSequence sequence_;
   std::vector<double> sums_;  ///< per face, of the integrals up to it
   double sum_ = 0;
-  std::vector<SurfacePoint> points_;
 };
 
 }  // namespace
