@@ -6,7 +6,7 @@
 //                        the table in json_rules); version and extensions
 //   document             the objects (by tinygltf)
 //   scene_walk           where each mesh of the scene is
-//   primitive_triangles  the triangles of each primitive, by accessor_reader, buffers, data_uri
+//   primitive_triangles  the triangles of each primitive, by accessor_reader and buffers
 // No file is opened here: buffers outside the glTF come from the caller.
 
 #include "gvd/gltf.h"
