@@ -30,7 +30,6 @@ bool RegionComplexBuilding::step(long& budget) {
                        [&] { return fillInSlices(vertexOfPoint_, points.size(), -1, budget); },
                        [&] { return fillInSlices(borderAt_, twins.size(), -1, budget); },
                        [&] { return fillInSlices(sectors_, points.size(), 0, budget); },
-                       [&] { return fillInSlices(isOnBoundary_, points.size(), '\0', budget); },
                        [&] { return fillInSlices(isWalked_, twins.size(), '\0', budget); },
                        forEach(twins, budget, 8, [&](int h) { countSector(h); }),
                        forEach(points, budget, kQuickRounds, [&](int p) { findVertex(p); }),
@@ -59,13 +58,11 @@ int RegionComplexBuilding::endOfSector(int h) const {
 
 void RegionComplexBuilding::countSector(int h) {
   if (!isOnOutline(out_.partition, h)) return;
-  ++sectors_[tail(h)];
-  if (out_.partition.twins[h] < 0) isOnBoundary_[tail(h)] = true;
+  sectors_[tail(h)] += out_.partition.twins[h] < 0 ? 2 : 1;  // the outside is one
 }
 
-/// A point is a vertex if three or more sectors meet there, or two on the mesh boundary.
 void RegionComplexBuilding::findVertex(int point) {
-  if (sectors_[point] < (isOnBoundary_[point] ? 2 : 3)) return;
+  if (sectors_[point] < 3) return;
   vertexOfPoint_[point] = static_cast<int>(out_.vertices.size());
   out_.vertices.push_back({point, {}, -1});
 }

@@ -73,11 +73,10 @@ class RegionComplexBuilding {
   SlicedSequence sequence_;
   std::unique_ptr<SlicedWork<Partition>> partitioning_;
   std::vector<int> vertexOfPoint_;
-  std::vector<int> borderAt_;       ///< the border that starts with a halfedge, or -1
-  std::vector<int> sectors_;        ///< of regions around a point
-  std::vector<char> isOnBoundary_;  ///< points
-  std::vector<char> isWalked_;      ///< halfedges
-  std::vector<int> steps_;          ///< of the current loop
+  std::vector<int> borderAt_;   ///< the border that starts with a halfedge, or -1
+  std::vector<int> sectors_;    ///< of regions and the outside, around a point
+  std::vector<char> isWalked_;  ///< halfedges
+  std::vector<int> steps_;      ///< of the current loop
   RegionComplex out_;
 };
 
