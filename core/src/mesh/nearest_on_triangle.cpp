@@ -12,12 +12,7 @@ namespace {
 using Eigen::Vector3d;
 
 Vector3d nearestBary(const Vector3d& p, const SpaceTriangle& corners) {
-  const auto squaredSide = [&](int i) {
-    return (corners[cornerAfter(i)] - corners[i]).squaredNorm();
-  };
-  int from = squaredSide(1) > squaredSide(0) ? 1 : 0;
-  if (squaredSide(2) > squaredSide(from)) from = 2;
-  const int to = cornerAfter(from), apex = cornerBefore(from);
+  const int from = longestSide(corners), to = cornerAfter(from), apex = cornerBefore(from);
   const Vector3d u = corners[to] - corners[from], v = corners[apex] - corners[from],
                  w = p - corners[from];
   const double uu = u.squaredNorm();
@@ -47,6 +42,12 @@ Vector3d nearestBary(const Vector3d& p, const SpaceTriangle& corners) {
 }
 
 }  // namespace
+
+int longestSide(const SpaceTriangle& corners) {
+  const auto squared = [&](int i) { return (corners[cornerAfter(i)] - corners[i]).squaredNorm(); };
+  const int longest = squared(1) > squared(0) ? 1 : 0;
+  return squared(2) > squared(longest) ? 2 : longest;
+}
 
 NearestPoint nearestOnTriangle(const Vector3d& p, const SpaceTriangle& corners) {
   const Vector3d bary = nearestBary(p, corners);

@@ -10,6 +10,9 @@ namespace gvd {
 /// A triangle in space, by its corners.
 using SpaceTriangle = std::array<Eigen::Vector3d, 3>;
 
+/// The longest side of a triangle, the first one of equals; from corner i to the next.
+int longestSide(const SpaceTriangle& corners);
+
 /// A point of a triangle, and its squared distance from a given point.
 struct NearestPoint {
   Eigen::Vector3d bary = Eigen::Vector3d::Zero();

@@ -23,18 +23,6 @@ double farthestFrom(const SpaceTriangle& triangle, const SpaceTriangle& points) 
   return std::sqrt(most);
 }
 
-/// The longest side of a triangle, from corner i to the next.
-int longestSide(const SpaceTriangle& t) {
-  int longest = 0;
-  double most = 0;
-  for (int i = 0; i < 3; ++i)
-    if (const double length = (t[cornerAfter(i)] - t[i]).squaredNorm(); length > most) {
-      most = length;
-      longest = i;
-    }
-  return longest;
-}
-
 }  // namespace
 
 OneSidedHausdorff::OneSidedHausdorff(const TriangleTree& from, const TriangleTree& to, double least,
