@@ -36,15 +36,14 @@ class Walk {
        AtBoundary atBoundary)
       : mesh_(mesh),
         atBoundary_(atBoundary),
-        total_(move.norm()),
-        remaining_(total_),
+        remaining_(move.norm()),
         halfedge_(3 * start.face),
         bary_(start.bary) {
-    if (!(total_ > 0) || !std::isfinite(total_)) {
+    if (!(remaining_ > 0) || !std::isfinite(remaining_)) {
       remaining_ = 0;
       return;
     }
-    direction_ = move / total_;
+    direction_ = move / remaining_;
     frame_ = turnedBackBy({1, 0}, direction_);
     Eigen::Index nearest, farthest;
     if (bary_.maxCoeff(&nearest) >= 1 - kVertexSnap)
@@ -70,7 +69,7 @@ class Walk {
         crossFace();
     }
     toCoordinatesOf(3 * TriangleMesh::faceOf(halfedge_));
-    const Vector2d frame = total_ > 0 ? turnedBy(frame_, direction_).normalized() : Vector2d(1, 0);
+    const Vector2d frame = turnedBy(frame_, direction_).normalized();
     return {{TriangleMesh::faceOf(halfedge_), bary_}, frame, walked_, metBoundary_};
   }
 
@@ -288,7 +287,6 @@ class Walk {
 
   const TriangleMesh& mesh_;
   const AtBoundary atBoundary_;
-  const double total_;
   double remaining_;
   double walked_ = 0;
   bool metBoundary_ = false;
