@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <numeric>
 #include <random>
 #include <span>
 #include <vector>
@@ -20,8 +21,7 @@ inline double drawUniform(std::mt19937_64& random) {
 /// The sums of values 0 … i.
 inline std::vector<double> cumulative(std::span<const double> values) {
   std::vector<double> sums(values.size());
-  double sum = 0;
-  for (size_t i = 0; i < values.size(); ++i) sums[i] = sum += values[i];
+  std::partial_sum(values.begin(), values.end(), sums.begin());
   return sums;
 }
 

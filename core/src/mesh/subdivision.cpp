@@ -79,8 +79,6 @@ class Subdivision final : public SequentialWork<SubdividedTriangles> {
 
   int vertexCount() const { return static_cast<int>(out_.positions.size() / 3); }
   Vector3d place(int v) const { return positionOf(out_.positions, v); }
-  /// Halves are added, because the sum of the ends may overflow.
-  static Vector3d middle(const Corner& a, const Corner& b) { return a.place / 2 + b.place / 2; }
   bool isLong(const Corner& a, const Corner& b) const {
     const double length = (b.place - a.place).norm();
     return length > longest_ && std::isfinite(length);
@@ -157,8 +155,9 @@ class Subdivision final : public SequentialWork<SubdividedTriangles> {
   std::size_t addedParts() const { return partCount_ - triangles_.size() / 3; }
 
   /// The middle of a side: the same bits from both ends, and so in all triangles of the side.
+  /// Halves are added, because the sum of the ends may overflow.
   Corner halve(const Corner& a, const Corner& b) {
-    const Vector3d p = middle(a, b);
+    const Vector3d p = a.place / 2 + b.place / 2;
     return {p, hasRoom_ ? midpointOf(a.vertex, b.vertex, p) : -1};
   }
 

@@ -119,12 +119,12 @@ class Cvt::Solver {
       : mesh_(mesh), options_(std::move(options)), isFixed_(sites.size(), false) {
     validate(mesh, sites.size(), options_);
     for (const int label : options_.fixedSites) isFixed_[label] = true;
-    for (size_t l = 0; l < sites.size(); ++l)
-      if (sites[l].face < 0) isFixed_[l] = true;  // a label without a site keeps none
     trial_.sites.assign(sites.begin(), sites.end());
     trial_.frames.assign(sites.size(), Vector2d(1, 0));
-    for (size_t l = 0; l < sites.size(); ++l)
+    for (size_t l = 0; l < sites.size(); ++l) {
+      if (sites[l].face < 0) isFixed_[l] = true;  // a label without a site keeps none
       if (!isFixed_[l]) trial_.sites[l] = offVertex(onMesh(mesh_, sites[l], "site", l));
+    }
     evaluation_.emplace(mesh_, options_, trial_);
   }
 
