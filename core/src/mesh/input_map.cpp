@@ -22,7 +22,7 @@ bool InputMap::step(long& budget) {
   const Faces& faces = selection_.faces;
   std::vector<int>& kept = selection_.kept;
   const std::size_t vertices = representative_.size(), triangles = kept.size();
-  const bool hasDegenerate = repairs_.degenerateTriangles > 0;
+  const bool hasDegenerate = mesh_.repairs_.degenerateTriangles > 0;
   const auto forDegenerate = [&](long perUnit, auto body) {
     return forEach(hasDegenerate ? triangles : 0, budget, perUnit, [this, body](int t) {
       if (const Corners corners = welded()[t]; isSought(corners)) body(t, endsOf(corners));
@@ -38,14 +38,14 @@ bool InputMap::step(long& budget) {
               }),
       forDegenerate(4, [&](int t, const auto& ends) { kept[t] = faceWith_.at(ends); }),
       [&] { faceWith_.clear(); },
-      [&] { return fillInSlices(out_.halfedgeOfVertex, vertices, -1, budget); },
+      [&] { return fillInSlices(mesh_.vertexOfInput_, vertices, -1, budget); },
       [&] { return fillInSlices(ofRepresentative_, vertices, -1, budget); },
-      [&] { out_.droppedCorners.reserve(triangles - faces.size()); },
+      [&] { mesh_.droppedCorners_.reserve(triangles - faces.size()); },
       forEach(triangles, budget, 8, [&](int t) { mapTriangle(t); }),
       [&] {
-        kept.resize(out_.droppedCorners.size());
+        kept.resize(mesh_.droppedCorners_.size());
         kept.shrink_to_fit();
-        out_.droppedFace = std::move(kept);
+        mesh_.droppedFace_ = std::move(kept);
       },
       forEach(vertices, budget, kQuickRounds, [&](int v) { mapVertex(v); }));
 }
@@ -64,24 +64,24 @@ void InputMap::mapTriangle(int t) {
     const Corners& ofFace = selection_.faces[face].vertices;
     const auto at = std::find(ofFace.begin(), ofFace.end(), representative);
     const int corner = static_cast<int>(at - ofFace.begin());
-    for (int* slot : {&out_.halfedgeOfVertex[vertex], &ofRepresentative_[representative]})
+    for (int* slot : {&mesh_.vertexOfInput_[vertex], &ofRepresentative_[representative]})
       if (*slot < 0) *slot = 3 * face + corner;
     corners |= corner << (2 * i);
   }
   if (face >= 0 && selection_.input[face] == t) return;
   // In place: no more triangles are dropped than have been mapped.
-  selection_.kept[out_.droppedCorners.size()] = face;
-  out_.droppedCorners.push_back(static_cast<std::uint8_t>(corners));
+  selection_.kept[mesh_.droppedCorners_.size()] = face;
+  mesh_.droppedCorners_.push_back(static_cast<std::uint8_t>(corners));
 }
 
 void InputMap::mapVertex(int v) {
   const int representative = representative_[v];
-  int& halfedge = out_.halfedgeOfVertex[v];
+  int& halfedge = mesh_.vertexOfInput_[v];
   if (halfedge < 0 && representative >= 0) halfedge = ofRepresentative_[representative];
   if (halfedge < 0)
-    ++repairs_.isolatedVertices;
+    ++mesh_.repairs_.isolatedVertices;
   else if (representative != v)
-    ++repairs_.weldedVertices;
+    ++mesh_.repairs_.weldedVertices;
 }
 
 }  // namespace gvd

@@ -3,7 +3,6 @@
 // Where the input's triangles and vertices are found in a `TriangleMesh`.
 #pragma once
 
-#include <cstdint>
 #include <map>
 #include <utility>
 #include <vector>
@@ -22,22 +21,16 @@ namespace gvd {
 /// isolated vertices. In slices, O(n log n) in the number of degenerate triangles.
 class InputMap {
  public:
-  struct Result {
-    std::vector<int> droppedFace;  ///< as in `TriangleMesh`
-    std::vector<std::uint8_t> droppedCorners;
-    std::vector<int> halfedgeOfVertex;
-  };
-
-  /// `triangles` and `representative` are the input's, `selection` the mesh's faces, their vertices
-  /// still representatives; its list `kept` becomes `droppedFace`. All must outlive this.
+  /// `triangles` and `representative` are the input's, `selection` the faces that the mesh will
+  /// have, their vertices still representatives; the mesh takes its list `kept`. All must outlive
+  /// this.
   InputMap(const std::vector<int>& triangles, const std::vector<int>& representative,
-           Selection& selection, MeshRepairs& repairs)
+           Selection& selection, TriangleMesh& mesh)
       : triangles_(triangles),
         representative_(representative),
         selection_(selection),
-        repairs_(repairs) {}
+        mesh_(mesh) {}
   bool step(long& budget);
-  Result take() { return std::move(out_); }
 
  private:
   WeldedTriangles welded() const { return {triangles_, representative_}; }
@@ -48,12 +41,11 @@ class InputMap {
   const std::vector<int>& triangles_;
   const std::vector<int>& representative_;
   Selection& selection_;
-  MeshRepairs& repairs_;
+  TriangleMesh& mesh_;
 
   SlicedSequence sequence_;
   std::map<std::pair<int, int>, int> faceWith_;  ///< by the positions of a degenerate triangle
   std::vector<int> ofRepresentative_;
-  Result out_;
 };
 
 }  // namespace gvd

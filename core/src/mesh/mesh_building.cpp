@@ -107,9 +107,7 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
                          m.repairs_);
         },
         [&] { dropping_.reset(); },
-        [&] {
-          return runPart(mapping_, budget, triangles_, representative_, selection_, m.repairs_);
-        },
+        [&] { return runPart(mapping_, budget, triangles_, representative_, selection_, m); },
         [&] { takeFaces(); },
         [&] { return runPart(splitting_, budget, m.faces_, inputVertexCount(), m.repairs_); },
         [&] { fans_ = taken(splitting_); });
@@ -179,10 +177,7 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
 
   /// The faces and their input triangles become the mesh's; the input is not needed any more.
   void takeFaces() {
-    InputMap::Result map = taken(mapping_);
-    mesh_.droppedFace_ = std::move(map.droppedFace);
-    mesh_.droppedCorners_ = std::move(map.droppedCorners);
-    mesh_.vertexOfInput_ = std::move(map.halfedgeOfVertex);
+    mapping_.reset();
     mesh_.inputFaceCount_ = static_cast<int>(triangles_.size() / 3);
     release(triangles_);
     release(representative_);
