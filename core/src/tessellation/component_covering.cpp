@@ -22,28 +22,13 @@ namespace {
 
 constexpr long kPointsPerUnit = 8, kFacesPerUnit = 16;
 
-/// Points of a list, and how many are on each component.
-class CountedPoints {
- public:
-  CountedPoints(const TriangleMesh& mesh, std::vector<SurfacePoint> points)
-      : mesh_(mesh), points_(std::move(points)), counts_(mesh.topology().components) {}
-
-  std::size_t size() const { return points_.size(); }
-  /// With clean coordinates, once it is counted.
-  const SurfacePoint& operator[](int i) const { return points_[i]; }
-  /// Points on each component.
-  std::vector<int>& counts() { return counts_; }
-  void count(int i) {
-    if (points_[i].face == -1) return;
-    points_[i] = onMesh(mesh_, points_[i], "point", i);
-    ++counts_[mesh_.component(points_[i].face)];
-  }
-
- private:
-  const TriangleMesh& mesh_;
-  std::vector<SurfacePoint> points_;
-  std::vector<int> counts_;
-};
+/// Counts a point of a list on its component, and cleans its coordinates.
+void countPoint(const TriangleMesh& mesh, SurfacePoint& p, std::size_t index,
+                std::vector<int>& counts) {
+  if (p.face == -1) return;
+  p = onMesh(mesh, p, "point", index);
+  ++counts[mesh.component(p.face)];
+}
 
 /// Draws points on the components that have fewer than `perComponent`, as many as they lack, and
 /// drops given ones, from the last to the first, while there are too many.
@@ -52,7 +37,9 @@ class ComponentCovering final : public SequentialWork<std::vector<SurfacePoint>>
   ComponentCovering(const TriangleMesh& mesh, std::vector<SurfacePoint> points, int perComponent,
                     int count, std::uint64_t seed)
       : mesh_(mesh),
-        given_(mesh, std::move(points)),
+        given_(std::move(points)),
+        counts_(mesh.topology().components),
+        lacking_(counts_.size()),
         perComponent_(perComponent),
         count_(count),
         random_(seed) {
@@ -63,7 +50,6 @@ class ComponentCovering final : public SequentialWork<std::vector<SurfacePoint>>
       rejectArgument(std::to_string(perComponent) + " per component, of which the mesh has " +
                      std::to_string(components) + ", makes " + std::to_string(needed) +
                      " sites, more than the " + std::to_string(count) + " in all");
-    lacking_.resize(components);
   }
 
   bool advance(long budget) override {
@@ -71,7 +57,7 @@ class ComponentCovering final : public SequentialWork<std::vector<SurfacePoint>>
       return forEach(given_.size(), budget, kPointsPerUnit, body);
     };
     return sequence_.run(
-        forGiven([&](int i) { given_.count(i); }),
+        forGiven([&](int i) { countPoint(mesh_, given_[i], i, counts_); }),
         forEach(mesh_.faceCount(), budget, kFacesPerUnit, [&](int f) { listFace(f); }),
         [&](SlicedLoop& loop) {
           return loop.runWeighted(lacking_.size(), budget, kPointsPerUnit,
@@ -80,7 +66,7 @@ class ComponentCovering final : public SequentialWork<std::vector<SurfacePoint>>
         // The list is filled from the last point to the first, and reversed in the end.
         [&] {
           surplus_ = static_cast<std::int64_t>(missing_.size()) - count_;
-          for (const int count : given_.counts()) surplus_ += count;
+          for (const int count : counts_) surplus_ += count;
           out_.assign(missing_.rbegin(), missing_.rend());
         },
         forGiven([&](int i) { keepOrDrop(given_[static_cast<int>(given_.size()) - 1 - i]); }),
@@ -96,7 +82,7 @@ class ComponentCovering final : public SequentialWork<std::vector<SurfacePoint>>
 
   void listFace(int f) {
     const int c = mesh_.component(f);
-    if (given_.counts()[c] >= perComponent_) return;
+    if (counts_[c] >= perComponent_) return;
     auto& [faces, sums] = lacking_[c];
     faces.push_back(f);
     sums.push_back((sums.empty() ? 0 : sums.back()) + mesh_.faceArea(f));
@@ -104,7 +90,7 @@ class ComponentCovering final : public SequentialWork<std::vector<SurfacePoint>>
 
   /// Draws the points that a component lacks; returns how many.
   int drawOn(int c) {
-    const int lack = std::max(0, perComponent_ - given_.counts()[c]);
+    const int lack = std::max(0, perComponent_ - counts_[c]);
     for (int i = 0; i < lack; ++i) {
       missing_.push_back(drawPoint(random_, lacking_[c].sums));
       missing_.back().face = lacking_[c].faces[missing_.back().face];
@@ -113,8 +99,8 @@ class ComponentCovering final : public SequentialWork<std::vector<SurfacePoint>>
   }
 
   void keepOrDrop(const SurfacePoint& p) {
-    if (surplus_ > 0 && p.face != -1 && given_.counts()[mesh_.component(p.face)] > perComponent_) {
-      --given_.counts()[mesh_.component(p.face)];
+    if (surplus_ > 0 && p.face != -1 && counts_[mesh_.component(p.face)] > perComponent_) {
+      --counts_[mesh_.component(p.face)];
       --surplus_;
     } else {
       out_.push_back(p);
@@ -122,10 +108,11 @@ class ComponentCovering final : public SequentialWork<std::vector<SurfacePoint>>
   }
 
   const TriangleMesh& mesh_;
-  CountedPoints given_;
+  std::vector<SurfacePoint> given_;
+  std::vector<int> counts_;     ///< of the given points, per component
+  std::vector<Faces> lacking_;  ///< per component
   const int perComponent_, count_;
   std::mt19937_64 random_;
-  std::vector<Faces> lacking_;  ///< per component
   std::vector<SurfacePoint> missing_;
   std::int64_t surplus_ = 0;
 };
@@ -133,23 +120,22 @@ class ComponentCovering final : public SequentialWork<std::vector<SurfacePoint>>
 class BareCounting final : public SequentialWork<BareComponents> {
  public:
   BareCounting(const TriangleMesh& mesh, std::span<const SurfacePoint> points)
-      : mesh_(mesh), points_(mesh, {points.begin(), points.end()}) {}
+      : mesh_(mesh), points_(points.begin(), points.end()), counts_(mesh.topology().components) {}
 
   bool advance(long budget) override {
     return sequence_.run(
-        forEach(points_.size(), budget, kPointsPerUnit, [&](int i) { points_.count(i); }),
-        [&] {
-          const std::vector<int>& counts = points_.counts();
-          out_.components = static_cast<int>(std::count(counts.begin(), counts.end(), 0));
-        },
+        forEach(points_, budget, kPointsPerUnit,
+                [&](int i) { countPoint(mesh_, points_[i], i, counts_); }),
+        [&] { out_.components = static_cast<int>(std::count(counts_.begin(), counts_.end(), 0)); },
         forEach(mesh_.faceCount(), budget, kFacesPerUnit, [&](int f) {
-          if (points_.counts()[mesh_.component(f)] == 0) out_.area += mesh_.faceArea(f);
+          if (counts_[mesh_.component(f)] == 0) out_.area += mesh_.faceArea(f);
         }));
   }
 
  private:
   const TriangleMesh& mesh_;
-  CountedPoints points_;
+  std::vector<SurfacePoint> points_;
+  std::vector<int> counts_;  ///< of the points, per component
 };
 
 }  // namespace
