@@ -119,33 +119,26 @@ Gap gapAt(const TriangleMesh& mesh, const Partition& partition, const Finding& f
 }
 
 /// The gaps to fill in one round of the repair.
-struct Gaps {
+std::vector<Gap> gapsOf(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
+                        const Partition& partition, std::span<const Finding> findings) {
   std::vector<Gap> gaps;
-  std::string firstViolation;  ///< its message, empty if there are no violations
-};
-
-/// The gaps for violations.
-Gaps gapsOf(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
-            const Partition& partition, std::span<const Finding> findings) {
-  Gaps found;
   std::vector<char> isTouched(partition.regions.size());  // regions that a new site may change
   for (const Finding& finding : findings) {
     const Violation& violation = finding.violation;
     const std::vector<int>& labels = violation.labels;
-    if (found.firstViolation.empty()) found.firstViolation = violation.message;
     if (violation.kind == Violation::kNoRegion) rejectArgument(violation.message);
     if (violation.kind == Violation::kNoManifold) throw std::logic_error(violation.message);
     if (std::any_of(labels.begin(), labels.end(), [&](int label) { return isTouched[label]; }))
       continue;
     const auto aroundCone = sitesAroundCone(mesh, sites, partition, violation);
-    for (const SurfacePoint& p : aroundCone) found.gaps.push_back({{}, {p}});
-    if (aroundCone.empty()) found.gaps.push_back(gapAt(mesh, partition, finding));
+    for (const SurfacePoint& p : aroundCone) gaps.push_back({{}, {p}});
+    if (aroundCone.empty()) gaps.push_back(gapAt(mesh, partition, finding));
     for (const int label : labels) {
       isTouched[label] = true;
       for (const auto& n : partition.regions[label].neighbours) isTouched[n.label] = true;
     }
   }
-  return found;
+  return gaps;
 }
 
 /// Finds the sites that fill the gaps. The distances at the points of all of them are requested at
@@ -165,7 +158,9 @@ class GapFilling final : public SlicedWork<std::vector<SurfacePoint>> {
         [&] { return regions_.step(budget); },
         [&] { return runPart(finding_, budget, mesh_, sites_, diagram_, regions_.complex()); },
         [&] {
-          found_ = gapsOf(mesh_, sites_, regions_.complex().partition, finding_->takeFindings());
+          const std::vector<Finding> findings = finding_->takeFindings();
+          if (!findings.empty()) firstViolation_ = findings.front().violation.message;
+          gaps_ = gapsOf(mesh_, sites_, regions_.complex().partition, findings);
           startDistances();
         },
         [&] { return distances_->step(budget); });
@@ -178,7 +173,7 @@ class GapFilling final : public SlicedWork<std::vector<SurfacePoint>> {
     const std::vector<double> distances = distances_->take();
     auto next = distances.begin();
     std::vector<SurfacePoint> sites;
-    for (const Gap& gap : found_.gaps) {
+    for (const Gap& gap : gaps_) {
       sites.push_back(gap.points.front());
       double most = -1;
       for (const SurfacePoint& p : gap.points) {
@@ -193,12 +188,12 @@ class GapFilling final : public SlicedWork<std::vector<SurfacePoint>> {
   }
 
   /// The message of the first violation, once the work is done.
-  const std::string& firstViolation() const { return found_.firstViolation; }
+  const std::string& firstViolation() const { return firstViolation_; }
 
  private:
   void startDistances() {
     std::vector<LabelledPoint> points;
-    for (const Gap& gap : found_.gaps)
+    for (const Gap& gap : gaps_)
       for (const SurfacePoint& p : gap.points)
         for (const int label : gap.labels) points.push_back({label, p});
     distances_ = field_.startDistancesAt(std::move(points));
@@ -211,7 +206,8 @@ class GapFilling final : public SlicedWork<std::vector<SurfacePoint>> {
   SlicedSequence sequence_;
   RegionComplexBuilding regions_;
   std::optional<ViolationFinding> finding_;
-  Gaps found_;
+  std::string firstViolation_;  ///< empty if there are no violations
+  std::vector<Gap> gaps_;
   std::unique_ptr<SlicedWork<std::vector<double>>> distances_;
 };
 
