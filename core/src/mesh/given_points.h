@@ -5,9 +5,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
-#include <span>
 #include <string>
-#include <vector>
 
 #include "base/rejection.h"
 #include "base/tolerances.h"
@@ -44,15 +42,6 @@ inline SurfacePoint onMesh(const TriangleMesh& mesh, const SurfacePoint& p, cons
   if (const std::string fault = mesh.faultOfPoint(p); !fault.empty())
     rejectPoint(std::string(what) + " " + std::to_string(index) + ": " + fault);
   return {p.face, cleanBarycentric(p.bary)};
-}
-
-/// The same of a list, where face -1 stands for no point.
-inline std::vector<SurfacePoint> allOnMesh(const TriangleMesh& mesh,
-                                           std::span<const SurfacePoint> points, const char* what) {
-  std::vector<SurfacePoint> clean(points.begin(), points.end());
-  for (std::size_t i = 0; i < clean.size(); ++i)
-    if (clean[i].face != -1) clean[i] = onMesh(mesh, clean[i], what, i);
-  return clean;
 }
 
 }  // namespace gvd

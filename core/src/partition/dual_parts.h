@@ -81,7 +81,10 @@ inline std::vector<SurfacePoint> sitesOf(const TriangleMesh& mesh, const Diagram
   for (int label = 0; label < diagram.siteCount; ++label)
     if (sites[label].face < 0 && diagram.regionArea[label] > 0)
       rejectArgument("label " + std::to_string(label) + " has a region, but no site");
-  return allOnMesh(mesh, sites, "site");
+  std::vector<SurfacePoint> clean(sites.begin(), sites.end());
+  for (std::size_t label = 0; label < clean.size(); ++label)
+    if (clean[label].face != -1) clean[label] = onMesh(mesh, clean[label], "site", label);
+  return clean;
 }
 
 /// The quality of a remesh but for its distance from the surface. The remesh must outlive the work.
