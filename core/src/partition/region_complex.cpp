@@ -4,7 +4,6 @@
 #include "partition/region_complex.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "partition/region_patches.h"
 
