@@ -19,12 +19,12 @@ namespace gvd {
 namespace {
 
 /// "2 outlines", "1 outline".
-std::string counted(int count, const std::string& what) {
+std::string countText(int count, const std::string& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
 /// "regions 1, 4 and 7".
-std::string regions(const std::vector<int>& labels) {
+std::string regionsText(const std::vector<int>& labels) {
   std::string list = labels.size() == 1 ? "region " : "regions ";
   for (size_t i = 0; i < labels.size(); ++i)
     list += (i == 0 ? "" : i + 1 < labels.size() ? ", " : " and ") + std::to_string(labels[i]);
@@ -127,15 +127,16 @@ void ViolationFinding::inspectRegion(const RegionPatch& region) {
   }
   if (region.components == 1 && region.loops == 1 && region.genus == 0 && region.selfTouchings == 0)
     return;
-  const std::string name = regions({region.label});
+  const std::string name = regionsText({region.label});
   if (region.components != 1 || region.loops != 1 || region.genus != 0)
     add(Violation::kNoDisk, {region.label},
-        name + " is no disk: it has " + counted(region.components, "component") + ", " +
-            counted(region.loops, "outline") + " and genus " + std::to_string(region.genus),
+        name + " is no disk: it has " + countText(region.components, "component") + ", " +
+            countText(region.loops, "outline") + " and genus " + std::to_string(region.genus),
         trianglesOf(region));
   if (region.selfTouchings > 0)
     add(Violation::kTouchesItself, {region.label},
-        name + " touches itself in " + counted(region.selfTouchings, "point"), trianglesOf(region));
+        name + " touches itself in " + countText(region.selfTouchings, "point"),
+        trianglesOf(region));
 }
 
 // --- Two and three regions -----------------------------------------------------------------------
@@ -148,7 +149,8 @@ void ViolationFinding::addMeetingAlong(int b) {
   std::vector<int> triangles;
   addBeside(border, triangles);
   add(Violation::kClosedBorder, {border.label, border.beyond},
-      regions({border.label, border.beyond}) + " meet along a closed curve", std::move(triangles));
+      regionsText({border.label, border.beyond}) + " meet along a closed curve",
+      std::move(triangles));
 }
 
 /// Adds a meeting of each two regions around a vertex. Neighbours in the order around it have an
@@ -184,7 +186,7 @@ void ViolationFinding::inspectPair(int pair) {
     if (isPlace(i)) addAround(vertexMeetings_[i].vertex, triangles);
   const std::vector<int> labels(pairs_[pair].begin(), pairs_[pair].end());
   add(Violation::kTwoMeetTwice, labels,
-      regions(labels) + " meet in " + std::to_string(count) + " places", std::move(triangles));
+      regionsText(labels) + " meet in " + std::to_string(count) + " places", std::move(triangles));
 }
 
 /// Finds pairs of vertices that have three or more regions in common, of which those of the pair
@@ -207,7 +209,7 @@ void ViolationFinding::findTriples(int pair) {
 void ViolationFinding::addTriples() {
   for (const auto& [labels, triangles] : triples_)
     add(Violation::kThreeMeetTwice, labels,
-        regions(labels) + " meet in more than one Voronoi point", triangles);
+        regionsText(labels) + " meet in more than one Voronoi point", triangles);
 }
 
 // --- Boundary and dual ---------------------------------------------------------------------------
@@ -237,7 +239,7 @@ void ViolationFinding::inspectClosedRun(const RegionComplex::Border& border) {
 }
 
 void ViolationFinding::addFewRuns(const std::vector<int>& labels, std::vector<int> triangles) {
-  add(Violation::kFewRuns, labels, "a loop of the mesh boundary passes only " + regions(labels),
+  add(Violation::kFewRuns, labels, "a loop of the mesh boundary passes only " + regionsText(labels),
       std::move(triangles));
 }
 

@@ -48,8 +48,9 @@ bool PatchMeasuring::step(long& budget) {
       forEach(siteCount_, budget, 8, [&](int l) { partition_.regions[l].label = l; }),
       forEach(halfedges, budget, 8, [&](int h) { walkOutlineFrom(h); }),
       forTriangles([&](int t) { addTriangle(t); }), [&] { return countComponents(budget); },
-      forLabels([&](int l) { addUp(l); }), forTriangles([&](int t) { offerFirstCorner(t); }),
-      forTriangles([&](int t) { offerTriangle(t); }), forLabels([&](int l) { placeCentroid(l); }));
+      forLabels([&](int l) { sumUp(l); }), forTriangles([&](int t) { offerFirstCorner(t); }),
+      forTriangles([&](int t) { offerTriangle(t); }),
+      forLabels([&](int l) { setNearCentroid(l); }));
 }
 
 SpaceTriangle PatchMeasuring::cornersOf(int t) const {
@@ -94,8 +95,8 @@ void PatchMeasuring::addTriangle(int t) {
   }
   const auto corners = cornersOf(t);
   const Vector3d centre = (corners[0] + corners[1] + corners[2]) / 3;
-  sums.reach = std::max({sums.reach, (corners[1] - corners[0]).squaredNorm(),
-                         (corners[2] - corners[0]).squaredNorm()});
+  sums.squaredReach = std::max({sums.squaredReach, (corners[1] - corners[0]).squaredNorm(),
+                                (corners[2] - corners[0]).squaredNorm()});
   region.area += areas_[t];
   sums.moment += areas_[t] * centre;
   sums.centres += centre;
@@ -129,7 +130,7 @@ bool PatchMeasuring::countComponents(long& budget) {
   return false;
 }
 
-void PatchMeasuring::addUp(int label) {
+void PatchMeasuring::sumUp(int label) {
   RegionPatch& region = patchOf(label);
   if (region.triangleCount == 0) return;
   const Sums& sums = sumsOf(label);
@@ -162,12 +163,13 @@ void PatchMeasuring::offerTriangle(int t) {
   Sums& sums = sumsOf(region.label);
   Nearest& nearest = sums.nearest;
   // (a + b)² ≤ 2 (a² + b²)
-  if (squaredDistanceToCentroid(t, region) > 2 * (nearest.squaredDistance + sums.reach)) return;
+  if (squaredDistanceToCentroid(t, region) > 2 * (nearest.squaredDistance + sums.squaredReach))
+    return;
   const NearestPoint here = nearestOnTriangle(region.centroid, cornersOf(t));
   if (here.squaredDistance < nearest.squaredDistance) nearest = {here, t};
 }
 
-void PatchMeasuring::placeCentroid(int label) {
+void PatchMeasuring::setNearCentroid(int label) {
   const Nearest& nearest = sumsOf(label).nearest;
   if (nearest.triangle < 0) return;
   patchOf(label).nearCentroid = {partition_.triangleFace[nearest.triangle],

@@ -33,7 +33,7 @@ class PatchMeasuring {
   struct Sums {
     Eigen::Vector3d moment = Eigen::Vector3d::Zero();   ///< areas times centres of triangles
     Eigen::Vector3d centres = Eigen::Vector3d::Zero();  ///< of its triangles
-    double reach = 0;  ///< most squared distance of a triangle's points from its first corner
+    double squaredReach = 0;  ///< of the farthest points of triangles from their first corners
     int outlineSteps = 0, innerVertices = 0;
     Nearest nearest;
   };
@@ -50,10 +50,10 @@ class PatchMeasuring {
   void addStep(int h, RegionPatch& region);
   void addTriangle(int t);
   bool countComponents(long& budget);
-  void addUp(int label);
+  void sumUp(int label);
   void offerFirstCorner(int t);
   void offerTriangle(int t);
-  void placeCentroid(int label);
+  void setNearCentroid(int label);
 
   const TriangleMesh& mesh_;
   const int siteCount_;
