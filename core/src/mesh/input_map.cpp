@@ -21,11 +21,11 @@ std::pair<int, int> endsOf(const Corners& corners) {
 bool InputMap::step(long& budget) {
   const Faces& faces = selection_.faces;
   std::vector<int>& kept = selection_.kept;
-  const std::size_t vertices = representative_.size(), triangles = kept.size();
+  const std::size_t vertices = welded_.representative.size(), triangles = kept.size();
   const bool hasDegenerate = mesh_.repairs_.degenerateTriangles > 0;
   const auto forDegenerate = [&](long perUnit, auto body) {
     return forEach(hasDegenerate ? triangles : 0, budget, perUnit, [this, body](int t) {
-      if (const Corners corners = welded()[t]; isSought(corners)) body(t, endsOf(corners));
+      if (const Corners corners = welded_[t]; isSought(corners)) body(t, endsOf(corners));
     });
   };
   return sequence_.run(
@@ -59,8 +59,8 @@ void InputMap::mapTriangle(int t) {
   const int face = selection_.kept[t];
   int corners = 0;
   for (int i = 0; face >= 0 && i < 3; ++i) {
-    const int vertex = triangles_[3 * static_cast<std::size_t>(t) + i];
-    const int representative = representative_[vertex];
+    const int vertex = welded_.triangles[3 * static_cast<std::size_t>(t) + i];
+    const int representative = welded_.representative[vertex];
     const Corners& ofFace = selection_.faces[face].vertices;
     const auto at = std::find(ofFace.begin(), ofFace.end(), representative);
     const int corner = static_cast<int>(at - ofFace.begin());
@@ -75,7 +75,7 @@ void InputMap::mapTriangle(int t) {
 }
 
 void InputMap::mapVertex(int v) {
-  const int representative = representative_[v];
+  const int representative = welded_.representative[v];
   int& halfedge = mesh_.vertexOfInput_[v];
   if (halfedge < 0 && representative >= 0) halfedge = ofRepresentative_[representative];
   if (halfedge < 0)

@@ -21,25 +21,18 @@ namespace gvd {
 /// isolated vertices. In slices, O(n log n) in the number of degenerate triangles.
 class InputMap {
  public:
-  /// `triangles` and `representative` are the input's, `selection` the faces that the mesh will
-  /// have, their vertices still representatives; the mesh takes its list `kept`. All must outlive
-  /// this.
-  InputMap(const std::vector<int>& triangles, const std::vector<int>& representative,
-           Selection& selection, TriangleMesh& mesh)
-      : triangles_(triangles),
-        representative_(representative),
-        selection_(selection),
-        mesh_(mesh) {}
+  /// `selection` has the faces that the mesh will have, their vertices still representatives; the
+  /// mesh takes its list `kept`. All must outlive this.
+  InputMap(const WeldedTriangles& welded, Selection& selection, TriangleMesh& mesh)
+      : welded_(welded), selection_(selection), mesh_(mesh) {}
   bool step(long& budget);
 
  private:
-  WeldedTriangles welded() const { return {triangles_, representative_}; }
   void offer(int a, int b, int face);
   void mapTriangle(int t);
   void mapVertex(int v);
 
-  const std::vector<int>& triangles_;
-  const std::vector<int>& representative_;
+  const WeldedTriangles welded_;
   Selection& selection_;
   TriangleMesh& mesh_;
 

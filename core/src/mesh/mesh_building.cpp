@@ -89,10 +89,7 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
                 [&](int t) { requireVertices(triangles_, t, inputVertexCount()); }),
         [&] { return runPart(welding_, budget, positions_, triangles_, options_.weld); },
         [&] { representative_ = taken(welding_); },
-        [&] {
-          return runPart(selecting_, budget, WeldedTriangles{triangles_, representative_},
-                         inputVertexCount(), m.repairs_);
-        },
+        [&] { return runPart(selecting_, budget, welded(), inputVertexCount(), m.repairs_); },
         [&] { selection_ = taken(selecting_); },
         [&] {
           return runPart(matching_, budget, selection_.faces, inputVertexCount(), m.repairs_);
@@ -107,8 +104,7 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
                          m.repairs_);
         },
         [&] { dropping_.reset(); },
-        [&] { return runPart(mapping_, budget, triangles_, representative_, selection_, m); },
-        [&] { takeFaces(); },
+        [&] { return runPart(mapping_, budget, welded(), selection_, m); }, [&] { takeFaces(); },
         [&] { return runPart(splitting_, budget, m.faces_, inputVertexCount(), m.repairs_); },
         [&] { fans_ = taken(splitting_); });
   }
@@ -345,6 +341,7 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
         genusOf(topology.components, topology.boundaryLoops, topology.eulerCharacteristic);
   }
 
+  WeldedTriangles welded() const { return {triangles_, representative_}; }
   int inputVertexCount() const { return static_cast<int>(positions_.size() / 3); }
 
   std::vector<double> positions_;  ///< the input's, later the mesh's
