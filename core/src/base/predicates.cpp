@@ -117,16 +117,21 @@ double exactDeterminant(const std::array<double, 3>& a, const std::array<double,
   return determinant.value();
 }
 
+/// | b-a ; c-a | with at most this relative error; with 1, of the right sign.
+double determinantWithin(double relativeError, const std::array<double, 2>& a,
+                         const std::array<double, 2>& b, const std::array<double, 2>& c) {
+  const double left = (b[0] - a[0]) * (c[1] - a[1]);
+  const double right = (b[1] - a[1]) * (c[0] - a[0]);
+  const double rounded = left - right;
+  const double error = kBound2 * (std::abs(left) + std::abs(right));
+  return relativeError * std::abs(rounded) > error ? rounded : exactDeterminant(a, b, c);
+}
+
 }  // namespace
 
 int orientation(const std::array<double, 2>& a, const std::array<double, 2>& b,
                 const std::array<double, 2>& c) {
-  const double left = (b[0] - a[0]) * (c[1] - a[1]);
-  const double right = (b[1] - a[1]) * (c[0] - a[0]);
-  const double determinant = left - right;
-  if (std::abs(determinant) > kBound2 * (std::abs(left) + std::abs(right)))
-    return signOf(determinant);
-  return signOf(exactDeterminant(a, b, c));
+  return signOf(determinantWithin(1, a, b, c));
 }
 
 int orientation(const std::array<double, 3>& a, const std::array<double, 3>& b,
@@ -147,12 +152,7 @@ int orientation(const std::array<double, 3>& a, const std::array<double, 3>& b,
 
 double determinant(const std::array<double, 2>& a, const std::array<double, 2>& b,
                    const std::array<double, 2>& c) {
-  constexpr double kMostError = 1e-12;  // relative
-  const double left = (b[0] - a[0]) * (c[1] - a[1]);
-  const double right = (b[1] - a[1]) * (c[0] - a[0]);
-  const double rounded = left - right;
-  if (kMostError * std::abs(rounded) > kBound2 * (std::abs(left) + std::abs(right))) return rounded;
-  return exactDeterminant(a, b, c);
+  return determinantWithin(1e-12, a, b, c);
 }
 
 }  // namespace gvd
