@@ -199,9 +199,36 @@ class Remeshing final : public SlicedWork<RepairedSites> {
   /// More than one, because sites just added are not at centroids yet.
   static constexpr int kMostRounds = 3;
 
-  bool tessellate(long budget);
-  bool repair(long budget);
-  void endRound(RepairedSites repaired);
+  bool tessellate(long budget) {
+    if (cvt_->step(budget))
+      iterationShare_ = (1.0 + cvt_->iteration().number) / (1 + tessellation_.iterations);
+    return cvt_->isDone();
+  }
+
+  /// Adds sites for a valid dual. If a round needs too many, the one before has the result.
+  bool repair(long budget) {
+    try {
+      if (!repairing_->step(budget)) return false;
+    } catch (const Error& error) {
+      if (!kept_ || error.code() != ErrorCode::kTooFewSites) throw;
+      isLastRound_ = true;
+      return true;
+    }
+    endRound(repairing_->take());
+    repairing_.reset();
+    return true;
+  }
+
+  void endRound(RepairedSites repaired) {
+    last_ = labelsAdded(sites_, repaired.sites);
+    const int count = static_cast<int>(last_.size());
+    most_ = count / 2;
+    left_ -= count;
+    added_ += count;
+    sites_ = repaired.sites;
+    isLastRound_ = count == 0;
+    kept_ = std::move(repaired);
+  }
 
   const TriangleMesh& mesh_;
   const CvtOptions tessellation_;
@@ -218,37 +245,6 @@ class Remeshing final : public SlicedWork<RepairedSites> {
   bool isLastRound_ = false;           ///< whether no further round is needed, or helps
   std::optional<Settling> settling_;
 };
-
-bool Remeshing::tessellate(long budget) {
-  if (cvt_->step(budget))
-    iterationShare_ = (1.0 + cvt_->iteration().number) / (1 + tessellation_.iterations);
-  return cvt_->isDone();
-}
-
-/// Adds sites for a valid dual. If a round needs too many, the one before has the result.
-bool Remeshing::repair(long budget) {
-  try {
-    if (!repairing_->step(budget)) return false;
-  } catch (const Error& error) {
-    if (!kept_ || error.code() != ErrorCode::kTooFewSites) throw;
-    isLastRound_ = true;
-    return true;
-  }
-  endRound(repairing_->take());
-  repairing_.reset();
-  return true;
-}
-
-void Remeshing::endRound(RepairedSites repaired) {
-  last_ = labelsAdded(sites_, repaired.sites);
-  const int count = static_cast<int>(last_.size());
-  most_ = count / 2;
-  left_ -= count;
-  added_ += count;
-  sites_ = repaired.sites;
-  isLastRound_ = count == 0;
-  kept_ = std::move(repaired);
-}
 
 }  // namespace
 
