@@ -134,20 +134,18 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   /// Lengths, angles and areas, with step 8 at `TriangleMesh`.
   bool measure(long& budget) {
     TriangleMesh& m = mesh_;
-    const auto forFaces = [&](long perUnit, auto body) {
-      return forEach(m.faceCount(), budget, perUnit, body);
-    };
-    const auto isLengthened = [&] { return m.repairs_.mollification > 0; };
     return measuring_.run(
         forEach(m.vertexCount(), budget, kQuickRounds, [&](int v) { box_.extend(m.position(v)); }),
-        [&] { requireExtent(); }, forFaces(kMeasuredFaces, [&](int f) { measureFace(f); }),
+        [&] { requireExtent(); },
+        forEach(m.faces_, budget, kMeasuredFaces, [&](int f) { measureFace(f); }),
         [&] { requireEdgeLength(); },
         forEach(maybeFlat_, budget, kQuickRounds,
                 [&](int i) { noteFlatness(maybeFlat_[i].first, maybeFlat_[i].second); }),
         [&](SlicedLoop& loop) {
-          return !isLengthened() || loop.run(m.faceCount(), budget, kMeasuredFaces, [&](int f) {
-            setFace(f, lengthened(triangle(f), m.repairs_.mollification));
-          });
+          return m.repairs_.mollification == 0 ||
+                 loop.run(m.faceCount(), budget, kMeasuredFaces, [&](int f) {
+                   setFace(f, lengthened(triangle(f), m.repairs_.mollification));
+                 });
         },
         [&] {
           m.meanEdgeLength_ += m.repairs_.mollification;
@@ -155,7 +153,7 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
         },
         [&] { return fillInSlices(m.angleSum_, m.vertexCount(), 0., budget); },
         [&] { return fillInSlices(m.longestEdge_, m.vertexCount(), 0., budget); },
-        forFaces(8, [&](int f) { sumUp(f); }));
+        forEach(m.faces_, budget, 8, [&](int f) { sumUp(f); }));
   }
 
   /// The boundary loops, open seams between them, and what follows from their number.

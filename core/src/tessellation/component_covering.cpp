@@ -53,11 +53,9 @@ class ComponentCovering final : public SequentialWork<std::vector<SurfacePoint>>
   }
 
   bool advance(long budget) override {
-    const auto forGiven = [&](auto body) {
-      return forEach(given_.size(), budget, kPointsPerUnit, body);
-    };
     return sequence_.run(
-        forGiven([&](int i) { countPoint(mesh_, given_[i], i, counts_); }),
+        forEach(given_, budget, kPointsPerUnit,
+                [&](int i) { countPoint(mesh_, given_[i], i, counts_); }),
         forEach(mesh_.faceCount(), budget, kFacesPerUnit, [&](int f) { listFace(f); }),
         [&](SlicedLoop& loop) {
           return loop.runWeighted(lacking_.size(), budget, kPointsPerUnit,
@@ -69,7 +67,8 @@ class ComponentCovering final : public SequentialWork<std::vector<SurfacePoint>>
           for (const int count : counts_) surplus_ += count;
           out_.assign(missing_.rbegin(), missing_.rend());
         },
-        forGiven([&](int i) { keepOrDrop(given_[static_cast<int>(given_.size()) - 1 - i]); }),
+        forEach(given_, budget, kPointsPerUnit,
+                [&](int i) { keepOrDrop(given_[given_.size() - 1 - i]); }),
         [&] { std::reverse(out_.begin(), out_.end()); });
   }
 
