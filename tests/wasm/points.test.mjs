@@ -46,11 +46,17 @@ test('points in a file are refused where they are none, or are those of another 
   }
   await assert.rejects(
     mesh.readPoints({ mesh: { faces: 12 }, vertex: [0] }),
-    fails('invalid-point', 'the points belong to another mesh: to one with 12 triangles, not 8'),
+    fails(
+      'invalid-point',
+      'the points belong to another mesh, of another file or made with other options: to one with 12 triangles, not 8',
+    ),
   );
   await assert.rejects(
     plane.readPoints(diagramJson(await mesh.voronoi({ vertex: [0, 1] }))),
-    fails('invalid-point', 'the points belong to another mesh: to one with 8 triangles, not 2'),
+    fails(
+      'invalid-point',
+      'the points belong to another mesh, of another file or made with other options: to one with 8 triangles, not 2',
+    ),
   );
   await assert.rejects(
     mesh.readPoints({ face: [0, 8], bary: [1, 0, 0, 1, 0, 0] }),

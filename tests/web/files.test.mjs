@@ -50,7 +50,7 @@ suite('files', () => {
       '{"face": [999999], "bary": [1, 0, 0]}':
         'cannot be opened as sites: point 0: there is no triangle 999999.',
       '{"mesh": {"faces": 12}, "face": [1], "bary": [1, 0, 0]}':
-        'cannot be opened as sites: the points belong to another mesh: to one with 12 triangles, not 14,696.',
+        'cannot be opened as sites: the points belong to another mesh, of another file or made with other options: to one with 12 triangles, not 14,696.',
     };
     for (const [text, sentence] of Object.entries(wrong)) {
       await drop('wrong.json', text);

@@ -37,7 +37,7 @@ export function requireSameMesh({ faces }: PointsFile, { inputFaces }: MeshInfo)
   if (faces === undefined || faces === inputFaces) return;
   throw new GeodesicVoronoiError(
     'invalid-point',
-    `the points belong to another mesh: to one with ${counted(faces, 'triangle')}, not ${integer(inputFaces)}`,
+    `the points belong to another mesh, of another file or made with other options: to one with ${counted(faces, 'triangle')}, not ${integer(inputFaces)}`,
   );
 }
 
