@@ -10,7 +10,7 @@ import { fails, folder, read, succeeds, write } from './command.mjs';
 import { assertValidGlb, readPly } from './files.mjs';
 import { glb, grid } from './meshes.mjs';
 import { locatedEncoders } from '../../dist/cli/encoders.js';
-import { near } from './expectations.mjs';
+import { haveLinesTooLong, near } from './expectations.mjs';
 
 test('diagram as JSON, to a file or to standard output', () => {
   const { stderr } = succeeds('diagram shape.glb --sites 5 --seed 7 -o d.json');
@@ -240,14 +240,7 @@ test('tables of located points, distances and sites', () => {
 });
 
 test('a table longer than a string may be is refused by a sentence', (t) => {
-  const { join } = Array.prototype;
-  t.after(() => {
-    Array.prototype.join = join;
-  });
-  Array.prototype.join = function (separator) {
-    if (separator === '\n') throw new RangeError('Invalid string length');
-    return join.call(this, separator);
-  };
+  haveLinesTooLong(t);
   assert.throws(() => locatedEncoders['.csv']({ label: [0], distance: [0] }, { scale: 1 }), {
     code: 'out-of-memory',
     message: /longer than a string may be/,

@@ -101,7 +101,8 @@ class SlicedSequence {
   SlicedLoop loop_;  ///< of the current part, if that is a loop
 };
 
-/// Work that is one sequence of parts, by which its progress is told, and that fills in its result.
+/// Work that is one sequence of parts: its progress is the share of them that is done, and they
+/// fill in the result.
 template <class Result>
 class SequentialWork : public SlicedWork<Result> {
  protected:

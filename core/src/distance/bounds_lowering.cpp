@@ -22,7 +22,7 @@ bool BoundsLowering::step(long& budget) {
                 const int v = change_.resetVertices[i];
                 bounds_[v].distance = edgeBounds_[v];
               }),
-      // In order of memory: at the beginning, these are all vertices.
+      // In the order in which vertices lie in memory, because the first change is of all of them.
       [&] { bounded_ = edgeBounds_.changed().sorted(); },
       forEach(bounded_, budget, kQuickRounds, [&](int i) { resetBound(bounded_[i]); }),
       [&] { return lowerBy(change_.resumed, budget); }, [&] { startTurns(); },
