@@ -29,6 +29,11 @@ export interface SurfaceFileOptions extends FileOptions {
   mesh?: AttributeSource | undefined;
 }
 
+/**
+ * How a GLB holds the regions of a partition. 'regions': a node with one primitive per region, named
+ * `region 0`, …, with its label in `extras.region`. 'features': one primitive, with the labels in
+ * `_FEATURE_ID_0` as EXT_mesh_features has them.
+ */
 export type PartitionLayout = (typeof partitionLayouts)[number];
 export const partitionLayouts = ['regions', 'features'] as const;
 

@@ -37,11 +37,7 @@ export interface PartitionColourOptions extends SurfaceFileOptions {
 }
 
 export interface PartitionGlbOptions extends PartitionColourOptions {
-  /**
-   * 'regions': a node with one primitive per region, named `region 0`, …, with its label in
-   * `extras.region`. 'features': one primitive, with the labels in `_FEATURE_ID_0` as
-   * EXT_mesh_features has them. Default 'regions'.
-   */
+  /** Default 'regions'. */
   layout?: PartitionLayout | undefined;
 }
 
