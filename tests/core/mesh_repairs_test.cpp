@@ -15,6 +15,7 @@
 #include "error_checks.h"
 #include "gvd/error.h"
 #include "gvd/triangle_mesh.h"
+#include "mechanical_shapes.h"
 #include "mesh/vertex_welding.h"
 #include "mesh_checks.h"
 #include "shapes.h"
@@ -150,15 +151,53 @@ TEST(Repairs, CutEdgesOfThreeOrMoreTriangles) {
   }
 }
 
-TEST(Repairs, CutTwoCubesThatShareAnEdgeThere) {
-  // The edge at x = y = 1 between the cubes at (0,0,0) and (1,1,0).
-  const Shape shape = shapes::joined(shapes::cube(), shapes::moved(shapes::cube(), {1, 1, 0}));
-  const TriangleMesh mesh = repairedMesh(shape);
+TEST(Repairs, KeepTwoCubesClosedThatShareAnEdge) {
+  // The edge at x = y = 1 between the cubes at (0,0,0) and (1,1,0), of which one is inside out in
+  // part.
+  Shape second = shapes::moved(shapes::cube(), {1, 1, 0});
+  for (int f = 0; f < 3; ++f) second = shapes::withFaceTurnedOver(second, f);
+  const TriangleMesh mesh = repairedMesh(shapes::joined(shapes::cube(), second));
   EXPECT_EQ(mesh.repairs().weldedVertices, 2);
   EXPECT_EQ(mesh.repairs().nonManifoldEdges, 1);
   EXPECT_EQ(mesh.repairs().splitVertices, 2);
+  EXPECT_EQ(mesh.repairs().flippedTriangles, 3);
   EXPECT_EQ(mesh.topology().components, 2);
-  EXPECT_EQ(mesh.topology().boundaryLoops, 2) << "a slit of two edges in each cube";
+  EXPECT_EQ(mesh.topology().boundaryLoops, 0);
+}
+
+TEST(Repairs, KeepASurfaceWholeThatHasAFin) {
+  // Decimated scans have such fins: a triangle given in both orientations.
+  Shape shape = shapes::octahedron();
+  const int a = shape.triangles[0], b = shape.triangles[1], tip = shape.addVertex({2, 2, 2});
+  shape.addTriangle(a, b, tip);
+  shape.addTriangle(b, a, tip);
+  const TriangleMesh mesh = repairedMesh(shape);
+  EXPECT_EQ(mesh.repairs().duplicateTriangles, 1);
+  EXPECT_EQ(mesh.repairs().nonManifoldEdges, 1);
+  EXPECT_EQ(mesh.topology().components, 2);
+  EXPECT_EQ(mesh.topology().boundaryLoops, 1) << "that of the fin";
+}
+
+TEST(Repairs, CutAComponentThatMeetsItselfInFourTriangles) {
+  // A row of five cubes, of which the first and the last share an edge only.
+  const std::vector<double> lines = {0, 1, 2};
+  const Shape shape =
+      shapes::boxes({lines, lines, lines}, {{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {1, 1, 0}});
+  const TriangleMesh mesh = repairedMesh(shape);
+  EXPECT_EQ(mesh.repairs().nonManifoldEdges, 1);
+  EXPECT_EQ(mesh.topology().components, 1);
+  EXPECT_GT(mesh.topology().boundaryLoops, 0);
+}
+
+TEST(Repairs, CutAStripThatWouldBecomeOneSided) {
+  // The ends of a twisted strip meet in one edge, at which a third triangle is.
+  Shape shape = shapes::moebiusStrip(12);
+  shape.addTriangle(0, 1, shape.addVertex({0, 0, 5}));
+  const TriangleMesh mesh = repairedMesh(shape);
+  EXPECT_EQ(mesh.repairs().nonManifoldEdges, 1);
+  EXPECT_EQ(mesh.repairs().orientationCuts, 0);
+  EXPECT_EQ(mesh.topology().components, 2);
+  EXPECT_EQ(mesh.topology().boundaryLoops, 2);
 }
 
 TEST(Repairs, TurnOverTheMinority) {

@@ -41,7 +41,7 @@ test('components without a site are told of; --per-component puts some there', (
   assert.equal(succeeds('diagram two.glb --sites 1 -o d.json --quiet').stderr, '');
   for (const sites of ['1', 'sites.json']) {
     const { stderr } = succeeds(`diagram two.glb --sites ${sites} -o d.json`);
-    const [, advice] = /^note: .* have no site \((.*) samples one on each\)/.exec(stderr);
+    const [, advice] = /^note: .* have no site \((.*) samples one on each, /.exec(stderr);
     assert.doesNotMatch(succeeds(`diagram two.glb ${advice} -o d.json`).stderr, note);
   }
   for (const sites of ['--sites 4 --per-component 2', '--radius 9 --per-component 1']) {

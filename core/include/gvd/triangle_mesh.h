@@ -45,7 +45,7 @@ struct MeshRepairs {
   int nonFiniteTriangles = 0;   ///< dropped: a corner is NaN or infinite
   int degenerateTriangles = 0;  ///< dropped: two corners at one position
   int duplicateTriangles = 0;   ///< dropped: same three corners as an earlier triangle, either side
-  int nonManifoldEdges = 0;     ///< edges of three or more triangles, cut apart
+  int nonManifoldEdges = 0;     ///< of three or more triangles: components are cut apart there
   int orientationCuts = 0;   ///< edges cut because no orientation fits both sides (Möbius strip)
   int flippedTriangles = 0;  ///< turned over to agree with the majority of their component
   int smallComponents = 0;   ///< dropped: fewer triangles than `MeshOptions::minComponent`
@@ -89,15 +89,19 @@ struct MeshTopology {
 ///     Triangles with the same three corners as an earlier one, in either orientation, are dropped,
 ///     too. Triangles of zero area with three distinct corners stay, because dropping one would
 ///     tear its neighbours apart;
-///  4. an edge of three or more triangles is cut: each keeps a boundary there;
+///  4. an edge of three or more triangles is cut: each gets a boundary there;
 ///  5. each component is oriented like the majority of its triangles (on a draw, like the first);
 ///     an edge whose triangles cannot agree (non-orientable surface) is cut. With
 ///     `Orientation::kKeep` no triangle is turned over, and every edge whose triangles disagree is
 ///     cut;
-///  6. components of fewer than `minComponent` triangles are dropped;
-///  7. a vertex whose triangles form several fans is split, one vertex per fan: no path passes
+///  6. where an edge was cut in step 4, the triangles of a component are joined again if there are
+///     just two and they agree in orientation: cutting and stitching (Guéziec et al. 2001,
+///     "Converting Sets of Polygons to Manifold Surfaces by Cutting and Stitching"). So solids that
+///     touch along an edge stay closed, and a surface with a fin on it stays whole;
+///  7. components of fewer than `minComponent` triangles are dropped;
+///  8. a vertex whose triangles form several fans is split, one vertex per fan: no path passes
 ///     through it;
-///  8. if a triangle is flat (two sides hardly longer than the third) or tiny, all edges are
+///  9. if a triangle is flat (two sides hardly longer than the third) or tiny, all edges are
 ///     lengthened by one amount, the least for which in every triangle two sides exceed the third
 ///     by 1e-11 of the mean edge, or of the triangle's longest side where that is longer: intrinsic
 ///     mollification (Sharp & Crane 2020, "A Laplacian for Nonmanifold Triangle Meshes", section
@@ -105,7 +109,7 @@ struct MeshTopology {
 ///     faces.
 ///
 /// Lengths, angles and areas are those of the *intrinsic* surface, which is made of triangles with
-/// these edge lengths. They are the positions' own, to the last bits, unless step 8 was needed:
+/// these edge lengths. They are the positions' own, to the last bits, unless step 9 was needed:
 /// then each edge is longer by at most 1e-11 of the longest, and no distance is shorter. But a flat
 /// triangle whose longest side is a mean edge gets a height of about 2e-6 of that side (the square
 /// root of half the margin), and distances across it grow by that height. Positions are never

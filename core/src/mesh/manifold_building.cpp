@@ -32,6 +32,8 @@ void HalfedgeMatching::match(std::span<const int> halfedges) {
       twinOf(faces_, run[1][2]) = run[0][2];
     } else if (run.size() > 2) {
       ++repairs_.nonManifoldEdges;
+      for (const KeyedItem& item : run) cut_.halfedges.push_back(item[2]);
+      cut_.end.push_back(static_cast<int>(cut_.halfedges.size()));
     }
   });
 }
@@ -115,6 +117,29 @@ void TriangleOrienting::turnOver(int t) {
   TriangleMesh::Face& face = faces_[t];
   std::swap(face.vertices[1], face.vertices[2]);
   std::swap(face.twins[0], face.twins[2]);
+}
+
+// --- Stitching ---------------------------------------------------------------------------------
+
+bool EdgeStitching::step(long& budget) {
+  return loop_.runWeighted(cut_.count(), budget, 8, [&](int edge) { return stitch(edge); });
+}
+
+/// Returns the number of triangles at the edge.
+long EdgeStitching::stitch(int edge) {
+  byComponent_.clear();
+  for (const int h : cut_[edge]) {
+    const int f = h / 3, side = oriented_.flipped[f] ? 2 - h % 3 : h % 3;
+    byComponent_.push_back({oriented_.component[f], 0, 3 * f + side});
+  }
+  visitSame(byComponent_, [&](std::span<const KeyedItem> run) {
+    if (run.size() != 2) return;
+    const int h = run[0][2], twin = run[1][2];
+    if (tailOf(faces_, h) != tipOf(faces_, twin)) return;
+    twinOf(faces_, h) = twin;
+    twinOf(faces_, twin) = h;
+  });
+  return static_cast<long>(byComponent_.size());
 }
 
 // --- Small components --------------------------------------------------------------------------

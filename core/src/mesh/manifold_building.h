@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Steps 4 to 7 of building a `TriangleMesh`, in slices: from the kept triangles to an oriented
+// Steps 4 to 8 of building a `TriangleMesh`, in slices: from the kept triangles to an oriented
 // manifold. O(n), except O(k log k) at a vertex of k triangles.
 #pragma once
 
@@ -16,6 +16,18 @@
 
 namespace gvd {
 
+/// The edges of three or more triangles, each by the halfedges of its triangles.
+struct NonManifoldEdges {
+  std::vector<int> halfedges;  ///< edge after edge
+  std::vector<int> end;        ///< of each edge in `halfedges`
+
+  int count() const { return static_cast<int>(end.size()); }
+  std::span<const int> operator[](int edge) const {
+    const int begin = edge > 0 ? end[edge - 1] : 0;
+    return std::span(halfedges).subspan(begin, end[edge] - begin);
+  }
+};
+
 /// Finds the twin of each halfedge on an edge of exactly two triangles, whichever way the twin
 /// runs; -1 on all other edges. Counts the edges of three or more triangles.
 class HalfedgeMatching {
@@ -24,6 +36,7 @@ class HalfedgeMatching {
   HalfedgeMatching(Faces& faces, int vertexCount, MeshRepairs& repairs)
       : faces_(faces), vertexCount_(vertexCount), repairs_(repairs) {}
   bool step(long& budget);
+  NonManifoldEdges take() { return std::move(cut_); }
 
  private:
   void match(std::span<const int> halfedges);
@@ -35,6 +48,7 @@ class HalfedgeMatching {
   SlicedSequence sequence_;
   Grouping byLowerEnd_;
   std::vector<KeyedItem> byHigherEnd_;  ///< halfedges of one lower end; no second key
+  NonManifoldEdges cut_;
 };
 
 /// The component of each triangle, and which triangles were turned over.
@@ -74,6 +88,28 @@ class TriangleOrienting {
   int flips_ = 0;                        ///< triangles marked in the current component
   std::vector<char> isComponentTurned_;  ///< per component: most triangles were marked
   OrientedComponents out_;
+};
+
+/// Joins the two triangles that a component has at an edge of three or more triangles, if it has
+/// just two there and they agree in orientation (cutting and stitching: Guéziec et al. 2001). So
+/// two solids that touch along an edge stay closed, and a surface with a fin on it stays whole.
+class EdgeStitching {
+ public:
+  /// `cut` has halfedges as they were before triangles were turned over. Changes the faces, which
+  /// must outlive this like the other arguments.
+  EdgeStitching(Faces& faces, const OrientedComponents& oriented, const NonManifoldEdges& cut)
+      : faces_(faces), oriented_(oriented), cut_(cut) {}
+  bool step(long& budget);
+
+ private:
+  long stitch(int edge);
+
+  Faces& faces_;
+  const OrientedComponents& oriented_;
+  const NonManifoldEdges& cut_;
+
+  SlicedLoop loop_;
+  std::vector<KeyedItem> byComponent_;  ///< halfedges of one edge; no second key
 };
 
 /// Drops the components of fewer than `least` triangles, and counts them. Throws

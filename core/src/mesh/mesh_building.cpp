@@ -81,7 +81,7 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   TriangleMesh result() override { return std::move(mesh_); }
 
  private:
-  /// Steps 1 to 7 at `TriangleMesh`, and the map from the input.
+  /// Steps 1 to 8 at `TriangleMesh`, and the map from the input.
   bool makeManifold(long& budget) {
     TriangleMesh& m = mesh_;
     return making_.run(
@@ -94,11 +94,16 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
         [&] {
           return runPart(matching_, budget, selection_.faces, inputVertexCount(), m.repairs_);
         },
-        [&] { matching_.reset(); },
+        [&] { cut_ = taken(matching_); },
         [&] {
           return runPart(orienting_, budget, selection_.faces, options_.orientation, m.repairs_);
         },
         [&] { oriented_ = taken(orienting_); },
+        [&] { return runPart(stitching_, budget, selection_.faces, oriented_, cut_); },
+        [&] {
+          stitching_.reset();
+          cut_ = {};
+        },
         [&] {
           return runPart(dropping_, budget, options_.minComponent, selection_, oriented_,
                          m.repairs_);
@@ -131,7 +136,7 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
         });
   }
 
-  /// Lengths, angles and areas, with step 8 at `TriangleMesh`.
+  /// Lengths, angles and areas, with step 9 at `TriangleMesh`.
   bool measure(long& budget) {
     TriangleMesh& m = mesh_;
     return measuring_.run(
@@ -353,8 +358,10 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   std::optional<TriangleSelection> selecting_;
   Selection selection_;
   std::optional<HalfedgeMatching> matching_;
+  NonManifoldEdges cut_;
   std::optional<TriangleOrienting> orienting_;
   OrientedComponents oriented_;
+  std::optional<EdgeStitching> stitching_;
   std::optional<SmallComponents> dropping_;
   std::optional<FanSplitting> splitting_;
   Fans fans_;

@@ -55,7 +55,8 @@ export type ClosestPoints = PlacedPoints & {
  * What the mesh builder did to make a manifold of the input, and to give every triangle a height;
  * all zero for a clean mesh. In this order: triangles with a corner that is not finite are dropped,
  * vertices are welded, degenerate and duplicate triangles dropped, edges of three or more triangles
- * cut, components oriented, small ones dropped, and vertices of several fans split.
+ * cut, components oriented and closed again along these edges, small ones dropped, and vertices of
+ * several fans split.
  */
 export interface MeshRepairs {
   /** Vertices merged into an earlier one at their place. */
@@ -68,7 +69,7 @@ export interface MeshRepairs {
   degenerateTriangles: number;
   /** Dropped: the same three corners as an earlier triangle. */
   duplicateTriangles: number;
-  /** Edges of three or more triangles, cut apart. */
+  /** Edges of three or more triangles, where components are cut apart. */
   nonManifoldEdges: number;
   /** Edges cut because their two triangles disagree in orientation. */
   orientationCuts: number;

@@ -27,7 +27,8 @@ const repairTexts: Record<
   nonFiniteTriangles: (n) => `${triangles(n)} with a corner that is not finite, dropped`,
   degenerateTriangles: (n) => `${triangles(n)} with two equal corners, dropped`,
   duplicateTriangles: (n) => `${triangles(n)} given twice, dropped`,
-  nonManifoldEdges: (n) => `${counted(n, 'edge')} of three or more triangles, cut apart`,
+  nonManifoldEdges: (n) =>
+    `${counted(n, 'edge')} of three or more triangles, where components are cut apart`,
   orientationCuts: (n) =>
     `${counted(n, 'edge')} cut because ${n === 1 ? 'its' : 'their'} two triangles disagree in orientation`,
   flippedTriangles: (n) => `${triangles(n)} turned over to agree with the neighbours`,

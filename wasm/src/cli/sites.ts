@@ -141,14 +141,14 @@ async function sampled(
 
 /** Notes what the reader passed over, and where the surface is not the one that its triangles seem to make. */
 export function meshNotes({ info: { notes, repairs } }: Mesh): string[] {
-  const cut = (edges: number, why: string) =>
+  const cut = (edges: number, why: string, whither = '') =>
     edges === 0
       ? []
       : [
-          `${counted(edges, 'edge')} of ${why} ${edges === 1 ? 'is' : 'are'} cut apart: distances do not lead across`,
+          `${counted(edges, 'edge')} of ${why} ${edges === 1 ? 'is' : 'are'} cut apart: distances do not lead across${whither}`,
         ];
   const cuts = [
-    ...cut(repairs.nonManifoldEdges, 'three or more triangles'),
+    ...cut(repairs.nonManifoldEdges, 'three or more triangles', ' to another component'),
     ...cut(repairs.orientationCuts, 'two triangles that disagree in orientation'),
   ];
   // Cut edges split vertices, too.
@@ -175,6 +175,6 @@ async function bareNotes(mesh: Mesh, sites: SurfacePoints): Promise<string[]> {
   const share = Number(((100 * bare.area) / area).toPrecision(2));
   return [
     `${bare.components} of ${components} components, ${share} % of the area, have no site ` +
-      `(--sites ${Math.max(sites.face.length, components)} --per-component 1 samples one on each)`,
+      `(--sites ${Math.max(sites.face.length, components)} --per-component 1 samples one on each, --min-component drops small ones)`,
   ];
 }
