@@ -323,12 +323,19 @@ test('partition as STL: all regions, or one of them', () => {
   areas.forEach((area, label) => near(areaOf(`--region ${label}`), area, 1e-5 * area));
   const all = areas.reduce((sum, area) => sum + area);
   near(areaOf(), all, 1e-5 * all);
+  write('same.json', '{"vertex": [0, 0]}');
   fails(
     1,
     'partition shape.glb --sites 3 --region 3 -q -o part.stl',
     /: --region is 3, not an integer from -1 to 2$/m,
   );
   fails(2, 'partition shape.glb --sites 3 --region 0 -o a.obj', /--region is about \.stl files/);
+  for (const region of [1, -1])
+    fails(
+      1,
+      `partition shape.glb --sites same.json --region ${region} -q -o part.stl`,
+      new RegExp(`: --region is ${region}: no part of the surface is in it$`, 'm'),
+    );
 });
 
 test('path as JSON and OBJ', () => {

@@ -218,9 +218,11 @@ async function partition({ mesh: path, values }: Request<'partition'>): Promise<
     leaveOutIndifferent: values['leave-out-indifferent'],
     leaveOutUnreachable: values['leave-out-unreachable'],
   });
+  const { label } = partition.triangles;
+  if (region !== undefined && !label.includes(region))
+    throw new FileError(`--region is ${region}: no part of the surface is in it`);
   await output.write(encode({ mesh, sites, partition, layout, region }, lengthsOf(mesh, values)));
   const { components, loops, eulerCharacteristic } = partition.regions;
-  const { label } = partition.triangles;
   const disks = components.filter(
     (count, i) => count === 1 && loops[i] === 1 && eulerCharacteristic[i] === 1,
   );
