@@ -18,13 +18,13 @@ import { temporaryFolder } from './temporary_folder.mjs';
 
 const withSites = ['diagram', 'locate', 'distances', 'cvt', 'partition', 'dual', 'remesh'];
 const all = ['info', 'path', ...withSites];
-/** What a command needs besides a mesh, and something it may have. */
+/** What a command needs besides a mesh and sites, and something it may have. */
 const needed = {
-  info: '',
   path: '--from one.json --to one.json',
-  locate: '--sites 2 --points one.json',
+  locate: '--points one.json',
 };
-const call = (command) => `${command} mesh.glb ${needed[command] ?? '--sites 2'} -o out.json`;
+const call = (command, sites = withSites.includes(command) ? '--sites 2' : '') =>
+  `${command} mesh.glb ${sites} ${needed[command] ?? ''} -o out.json`;
 
 /** What is wrong with the command line. */
 const misuses = [
@@ -44,15 +44,16 @@ const misuses = [
     `${call(command)} --weld 2`,
     `${call(command)} --orientation up`,
     `${call(command)} --min-component=-1`,
-    `${call(command)} --output`,
-    `${call(command)} --output=`,
+    call(command).replace('-o out.json', '--output'),
+    call(command).replace('-o out.json', '--output='),
   ]),
   ...withSites.flatMap((command) => [
     `${command} mesh.glb --points one.json -o out`,
-    `${call(command)} --sites=`,
-    `${call(command)} --sites 0`,
-    `${call(command)} --sites -3`,
-    `${call(command)} --sites=1e99`,
+    `${call(command)} --sites 2`,
+    call(command, '--sites='),
+    call(command, '--sites 0'),
+    call(command, '--sites -3'),
+    call(command, '--sites=1e99'),
     `${call(command)} --seed x`,
     `${call(command)} --sampling even`,
     `${call(command)} --radius 1`,
@@ -92,10 +93,10 @@ const badInputs = [
     call(command).replace('-o out', '-o folder'),
   ]),
   ...withSites.flatMap((command) => [
-    `${call(command)} --sites nowhere.json`,
-    `${call(command)} --sites mesh.glb`,
-    `${call(command)} --sites beyond.json`,
-    `${call(command)} --sites list.json`,
+    call(command, '--sites nowhere.json'),
+    call(command, '--sites mesh.glb'),
+    call(command, '--sites beyond.json'),
+    call(command, '--sites list.json'),
     `${call(command)} --per-component 3`,
   ]),
   ...['cvt', 'remesh'].flatMap((command) => [
@@ -105,12 +106,12 @@ const badInputs = [
     `${call(command)} --fixed-sites beyond.json`,
     `${call(command)} --fixed-sites list.json`,
   ]),
-  `${call('path')} --from beyond.json`,
-  `${call('path')} --to list.json`,
-  `${call('locate')} --points list.json`,
-  `${call('locate')} --points places.json`,
-  `${call('path')} --to places.json`,
-  `${call('diagram')} --sites places.json`,
+  call('path').replace('--from one', '--from beyond'),
+  call('path').replace('--to one', '--to list'),
+  call('locate').replace('--points one', '--points list'),
+  call('locate').replace('--points one', '--points places'),
+  call('path').replace('--to one', '--to places'),
+  call('diagram', '--sites places.json'),
   `dual mesh.glb --sites 1 -o out.json --check`,
 ];
 

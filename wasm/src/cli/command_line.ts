@@ -86,7 +86,13 @@ function parseOptions(
     strict: false, // its own error messages are written for programmers
     tokens: true,
   });
-  for (const token of tokens) if (token.kind === 'option') requireKnown(command, token);
+  const given = new Set<string>();
+  for (const token of tokens) {
+    if (token.kind !== 'option') continue;
+    requireKnown(command, token);
+    if (given.has(token.name)) throw new UsageError(`${token.rawName} is given twice`);
+    given.add(token.name);
+  }
   return { texts: values as Texts, positionals };
 }
 
