@@ -21,14 +21,14 @@
 namespace gvd {
 namespace {
 
-TEST(NumberText, IsThatOfSixSignificantDigits) {
+TEST(NumberText, IsThatOfSevenSignificantDigits) {
   const double inf = std::numeric_limits<double>::infinity();
   for (const double number :
-       {0.0,          1.0,       -1.0,     10.0,       0.25,  -0.1,     1.25,   99.5,
-        123456.0,     1234567.0, 999999.4, 999999.6,   1e-3,  1e-4,     1.5e-5, -1e-9,
-        9.9999996e-5, 3e6,       1.5e9,    6.02214e23, 1e300, 2.5e-300, inf,    -inf}) {
+       {0.0,        1.0,       -1.0,       10.0,  0.25,     -0.1,   1.25,  99.5,          1234567.0,
+        12345678.0, 9999999.4, 9999999.6,  1e-3,  1e-4,     1.5e-5, -1e-9, 9.99999996e-5, 1.0000011,
+        3e6,        1.5e9,     6.02214e23, 1e300, 2.5e-300, inf,    -inf}) {
     char expected[64];
-    std::snprintf(expected, sizeof expected, "%g", number);
+    std::snprintf(expected, sizeof expected, "%.7g", number);
     EXPECT_EQ(numberText(number), expected);
   }
   EXPECT_EQ(numberText(std::numeric_limits<double>::quiet_NaN()), "nan");

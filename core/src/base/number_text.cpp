@@ -14,16 +14,16 @@ std::string numberText(double number) {
   int exponent = 0;
   for (; size >= 10; size /= 10) ++exponent;
   for (; size < 1; size *= 10) --exponent;
-  long digits = std::lround(size * 1e5);
-  if (digits == 1000000) {
-    digits = 100000;
+  long digits = std::lround(size * 1e6);
+  if (digits == 10000000) {
+    digits = 1000000;
     ++exponent;
   }
   std::string text = std::to_string(digits);
   text.erase(text.find_last_not_of('0') + 1);
 
   const int count = static_cast<int>(text.size());
-  if (exponent < -4 || exponent > 5) {
+  if (exponent < -4 || exponent > 6) {
     if (count > 1) text.insert(1, 1, '.');
     return sign + text + (exponent < 0 ? "e-" : "e+") + (std::abs(exponent) < 10 ? "0" : "") +
            std::to_string(std::abs(exponent));
