@@ -211,7 +211,7 @@ test('vertices are welded within a tolerance, in triangles and in files', async 
     const seen = (await gvd.mesh(source)).info;
     assert.equal(seen.components, 8);
     assert.equal(seen.hasOpenSeams, true);
-    assert.match(seen.notes.at(-1), /nearly coincide.*weld 1e-6/);
+    assert.match(seen.notes.at(-1), /nearly coincide.*the option weld, 1e-6/);
     const { info } = await gvd.mesh(source, { weld: 1e-5 });
     assert.equal(info.components, 1);
     assert.equal(info.boundaryLoops, 0);

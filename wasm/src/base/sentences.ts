@@ -41,7 +41,7 @@ const repairTexts: Record<
 
 /** Of a mesh with open seams. */
 export const openSeamsNote =
-  'some boundary vertices nearly coincide: welded within 0.0001 % of the diagonal (weld 1e-6), distances would lead across';
+  'some boundary vertices nearly coincide: welded within 0.0001 % of the diagonal (the option weld, 1e-6), distances would lead across';
 
 const vertices = (count: number) => counted(count, 'vertex', 'vertices');
 const triangles = (count: number) => counted(count, 'triangle');
