@@ -50,8 +50,8 @@ const modelPaths = new Set<string>();
 async function modelFiles(path: string): Promise<ModelFiles> {
   if (path !== standard && (await kindOf(path)) === 'folder') return folderFiles(path);
   const bytes = await readBytes(path);
+  if (path === standard) return { '': handedOver(bytes) };
   const files: ModelFiles = { [basename(path)]: handedOver(bytes) };
-  if (path === standard) return files;
   modelPaths.add(await targetOf(path));
   for (const uri of gltfResourceUris(bytes)) {
     const place = placeOf('', uri);
