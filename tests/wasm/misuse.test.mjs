@@ -400,6 +400,7 @@ test('results that pointsJson has no points of', async () => {
     pointsJson,
     /^points has no face: it needs face, bary$/,
   );
+  await refused([{ face: 1 }], pointsJson, /^points\.face is 1, not an object or an array$/);
   await refused(
     [diagram, await mesh.distances(one)],
     pointsJson,

@@ -148,7 +148,9 @@ export function toResult<Result extends object>(
   const missing = fields.find((field) => !isObject(value[field]));
   if (missing === undefined) return value;
   if (value[missing] !== undefined)
-    throw invalidArgument(`${name}.${missing} is ${show(value[missing])}, not an object`);
+    throw invalidArgument(
+      `${name}.${missing} is ${show(value[missing])}, not an object or an array`,
+    );
   throw invalidArgument(`${name} has no ${missing}: it needs ${fields.join(', ')}`);
 }
 
