@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "distance/site_distances.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 #include <utility>
 
-#include "base/grouping.h"
 #include "distance/dgpc/unfolding_spread.h"
 #include "distance/exact/window_spread.h"
 #include "gvd/error.h"
@@ -94,6 +92,10 @@ bool SiteDistances::step(long& budget) {
       forEach(changes_, budget, kSitesPerUnit, [&](int i) { insertSite(changes_[i]); }),
       [&] { return edgeBounds_.step(budget); },
       [&](SlicedLoop& loop) { return findOutdated(loop, budget); }, [&] { return forget(budget); },
+      [&] { startedBox_.setEmpty(); },
+      forEach(change_.started, budget, kSitesPerUnit,
+              [&](int i) { startedBox_.extend(startOf(i)); }),
+      forEach(change_.started, budget, kSitesPerUnit, [&](int i) { placeStarted(i); }),
       [&] { orderLabels(); },
       // 2. Spread.
       [&] { return lowering_.step(budget); },
@@ -177,19 +179,24 @@ double SiteDistances::progress() const {
   return kShareOfSpread * lowering_.progress() + (1 - kShareOfSpread) * known_.progress();
 }
 
+/// Where the site of a label that starts is.
+Eigen::Vector3d SiteDistances::startOf(int i) const {
+  return mesh_.position(sites_[change_.started[i]]);
+}
+
+void SiteDistances::placeStarted(int i) {
+  const int label = change_.started[i];
+  const Eigen::Vector3d fromLeast = startOf(i) - startedBox_.min();
+  startedPlaces_.push_back({placeOnCurve(fromLeast / mesh_.boundingDiagonal()), label, label});
+}
+
 /// Puts neighbouring labels in succession, so that the memory they touch is still in the cache.
 /// Labels that start do not resume, too.
 void SiteDistances::orderLabels() {
-  Eigen::AlignedBox3d box;
-  for (const int label : change_.started) box.extend(mesh_.position(sites_[label]));
-  std::vector<KeyedItem> places;
-  for (const int label : change_.started) {
-    const Eigen::Vector3d fromLeast = mesh_.position(sites_[label]) - box.min();
-    places.push_back({placeOnCurve(fromLeast / mesh_.boundingDiagonal()), label, label});
-  }
-  std::sort(places.begin(), places.end());
-  std::transform(places.begin(), places.end(), change_.started.begin(),
+  std::sort(startedPlaces_.begin(), startedPlaces_.end());
+  std::transform(startedPlaces_.begin(), startedPlaces_.end(), change_.started.begin(),
                  [](const KeyedItem& place) { return place.back(); });
+  release(startedPlaces_);
   change_.hasStarted.assign(sites_.labelCount(), false);
   for (const int label : change_.started) change_.hasStarted[label] = true;
   change_.startsAll = sites_.count() == static_cast<int>(change_.started.size());

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Geometry>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "base/grouping.h"
 #include "base/index_set.h"
 #include "base/sliced_loop.h"
 #include "distance/bounds_lowering.h"
@@ -86,6 +88,8 @@ class SiteDistances final : public DistanceField {
   void removeSite(int label);
   void insertSite(const SiteChange& change);
   bool findOutdated(SlicedLoop& loop, long& budget);
+  Eigen::Vector3d startOf(int i) const;
+  void placeStarted(int i);
   void orderLabels();
   bool isKnownAround(int label, const SurfacePoint& p) const;
 
@@ -107,6 +111,8 @@ class SiteDistances final : public DistanceField {
   std::vector<int> forgotten_;         ///< labels that leave, then those that start again
   IndexSet forgottenAt_;               ///< vertices where a label was forgotten
   IndexSet resumed_{0}, outdated_{0};  ///< labels
+  Eigen::AlignedBox3d startedBox_;     ///< of the sites of labels that start
+  std::vector<KeyedItem> startedPlaces_;
 };
 
 }  // namespace gvd
