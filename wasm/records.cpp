@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -68,26 +69,48 @@ std::vector<int> inputFaceLabels(const TriangleMesh& mesh, std::span<const int> 
   return labels;
 }
 
-/// A diagram, or the part of one that a change replaces. Leaves out `faceLabel`, which has an entry
-/// for every face in a diagram, but only for the changed faces in a change.
-Record piecesRecord(const TriangleMesh& mesh, const Diagram& diagram, Record points) {
-  Record arcs = listsRecord(diagram.arcs);
-  arcs.add("labels", diagram.arcLabels);
-  Record loops = listsRecord(diagram.loops);
-  loops.add("label", diagram.loopLabel);
-  Record cells = listsRecord(diagram.cells);
-  cells.add("face", inputFaces(mesh, diagram.cellFace));
-  cells.add("label", diagram.cellLabel);
+/// A part of a diagram's record.
+struct Piece {
+  const char* name;
+  Record (*record)(const TriangleMesh& mesh, const Diagram& diagram);
+};
 
+/// Of a diagram, or of the part of one that a change replaces. Leaves out `faceLabel`, which has an
+/// entry for every face in a diagram, but only for the changed faces in a change.
+constexpr Piece kPieces[] = {
+    {"segments", [](const TriangleMesh& mesh,
+                    const Diagram& diagram) { return segmentsRecord(mesh, diagram.segments); }},
+    {"arcs",
+     [](const TriangleMesh& /*mesh*/, const Diagram& diagram) {
+       Record arcs = listsRecord(diagram.arcs);
+       arcs.add("labels", diagram.arcLabels);
+       return arcs;
+     }},
+    {"voronoiPoints",
+     [](const TriangleMesh& /*mesh*/, const Diagram& diagram) {
+       return voronoiPointsRecord(diagram.voronoiPoints);
+     }},
+    {"loops",
+     [](const TriangleMesh& /*mesh*/, const Diagram& diagram) {
+       Record loops = listsRecord(diagram.loops);
+       loops.add("label", diagram.loopLabel);
+       return loops;
+     }},
+    {"cells",
+     [](const TriangleMesh& mesh, const Diagram& diagram) {
+       Record cells = listsRecord(diagram.cells);
+       cells.add("face", inputFaces(mesh, diagram.cellFace));
+       cells.add("label", diagram.cellLabel);
+       return cells;
+     }},
+};
+
+/// What is not in `kPieces`.
+Record restRecord(const TriangleMesh& mesh, const Diagram& diagram, Record points) {
   Record out;
   out.add("points", std::move(points));
-  out.add("segments", segmentsRecord(mesh, diagram.segments));
-  out.add("arcs", std::move(arcs));
-  out.add("voronoiPoints", voronoiPointsRecord(diagram.voronoiPoints));
-  out.add("loops", std::move(loops));
   out.add("regionArea", diagram.regionArea);
   out.add("indifferentFaces", inputFaces(mesh, diagram.indifferentFaces));
-  out.add("cells", std::move(cells));
   return out;
 }
 
@@ -174,19 +197,27 @@ class DiagramRecording final : public SlicedWork<Record> {
   explicit DiagramRecording(DiagramOnMesh on)
       : on_(std::move(on)), points_(*on_.mesh, on_.diagram->points, true) {}
 
-  bool advance(long budget) override { return points_.step(budget); }
+  /// Of a large diagram, each piece takes as long as a step may take.
+  bool advance(long budget) override {
+    if (!points_.step(budget)) return false;
+    if (piece_ == std::size(kPieces)) return true;
+    const auto& [name, record] = kPieces[piece_++];
+    out_.add(name, record(*on_.mesh, *on_.diagram));
+    return false;
+  }
   double share() const override { return points_.progress(); }
   Record result() override {
-    Record out;
-    out.add("siteCount", on_.diagram->siteCount);
-    out.add("faceLabel", inputFaceLabels(*on_.mesh, on_.diagram->faceLabel));
-    out.add(piecesRecord(*on_.mesh, *on_.diagram, points_.take()));
-    return out;
+    out_.add("siteCount", on_.diagram->siteCount);
+    out_.add("faceLabel", inputFaceLabels(*on_.mesh, on_.diagram->faceLabel));
+    out_.add(restRecord(*on_.mesh, *on_.diagram, points_.take()));
+    return std::move(out_);
   }
 
  private:
   const DiagramOnMesh on_;
   PointsRecording points_;
+  std::size_t piece_ = 0;  ///< the next one
+  Record out_;
 };
 
 Record recorded(PointsRecording points) {
@@ -255,7 +286,8 @@ std::unique_ptr<SlicedWork<Record>> diagramRecording(const DiagramOnMesh& on) {
 Record changeRecord(const TriangleMesh& mesh, int label, DiagramChange change) {
   Record part;
   part.add("faceLabel", std::move(change.part.faceLabel));
-  part.add(piecesRecord(mesh, change.part, placedRecord(mesh, change.part.points)));
+  for (const auto& [name, record] : kPieces) part.add(name, record(mesh, change.part));
+  part.add(restRecord(mesh, change.part, placedRecord(mesh, change.part.points)));
 
   Record out;
   out.add("label", label);
