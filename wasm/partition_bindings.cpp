@@ -125,15 +125,22 @@ class DualPathRecording final : public SlicedWork<Record> {
 
   bool advance(long budget) override {
     if (points_) return points_->step(budget);
-    if (!finding_->step(budget)) return false;
-    join(finding_->take());
+    if (finding_) {
+      if (!finding_->step(budget)) return false;
+      paths_ = finding_->take();
+      finding_.reset();
+    }
+    for (; labels_.size() < paths_.size(); --budget) {
+      if (budget <= 0) return false;
+      join(paths_[labels_.size()]);
+    }
     points_.emplace(*on_.mesh, joined_, true);
     return false;
   }
   double share() const override {
     constexpr double kFindingShare = 0.9;
-    return kFindingShare * finding_->progress() +
-           (points_ ? (1 - kFindingShare) * points_->progress() : 0);
+    return finding_ ? kFindingShare * finding_->progress()
+                    : kFindingShare + (points_ ? (1 - kFindingShare) * points_->progress() : 0);
   }
   Record result() override {
     Record out;
@@ -144,16 +151,15 @@ class DualPathRecording final : public SlicedWork<Record> {
   }
 
  private:
-  void join(const std::vector<DualPath>& paths) {
-    for (const DualPath& path : paths) {
-      labels_.push_back(path.labels);
-      joined_.insert(joined_.end(), path.points.begin(), path.points.end());
-      offset_.push_back(static_cast<int>(joined_.size()));
-    }
+  void join(const DualPath& path) {
+    labels_.push_back(path.labels);
+    joined_.insert(joined_.end(), path.points.begin(), path.points.end());
+    offset_.push_back(static_cast<int>(joined_.size()));
   }
 
   const DiagramOnMesh on_;
-  const std::unique_ptr<SlicedWork<std::vector<DualPath>>> finding_;
+  std::unique_ptr<SlicedWork<std::vector<DualPath>>> finding_;
+  std::vector<DualPath> paths_;
   std::vector<std::array<int, 2>> labels_;
   std::vector<int> offset_ = {0};
   std::vector<SurfacePoint> joined_;  ///< of all paths
