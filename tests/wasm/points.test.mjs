@@ -21,6 +21,7 @@ test('points in a file are read in every form', async () => {
   assert.deepEqual(await read(one), one);
   assert.deepEqual(await read({ ...one, position: at, mesh: { faces: 8 } }), one);
   assert.deepEqual((await read({ position: at })).face, one.face);
+  assert.deepEqual((await read([at, at])).face, [3, 3]);
   const { face, bary } = await mesh.readPoints({ vertex: [0, 5] });
   const places = [0, 5].flatMap((v) => [...mesh.positions.slice(3 * v, 3 * v + 3)]);
   assert.deepEqual([...(await mesh.positionsOf({ face, bary }))], places);
@@ -38,7 +39,7 @@ test('points in a file are refused where they are none, or are those of another 
     mesh.readPoints('{"vertex": [0]}'),
     fails('invalid-argument', 'this is a text: parse it by JSON.parse'),
   );
-  for (const json of [null, 7, [], {}, { face: [0] }, { sites: {} }]) {
+  for (const json of [null, 7, [], [0, 0, 0], [[0, 0]], {}, { face: [0] }, { sites: {} }]) {
     await assert.rejects(
       mesh.readPoints(json),
       fails('invalid-argument', /^there are no points: /),

@@ -200,9 +200,10 @@ export interface Mesh extends Disposable {
    */
   closestPoints(positions: ArrayLike<number>, options?: TaskOptions): Promise<ClosestPoints>;
   /**
-   * The points in a JSON file, parsed: a list of points in any form, or the sites of a result.
-   * Refuses those that the file says belong to another mesh. With `maxEdge`, points of the mesh before
-   * subdivision, as the file says, are put where they were.
+   * The points in a JSON file, parsed: a list of points in any form, places also as
+   * `[[x, y, z], …]`, or the sites of a result. Refuses those that the file says belong to another
+   * mesh. With `maxEdge`, points of the mesh before subdivision, as the file says, are put where they
+   * were.
    */
   readPoints(json: unknown, options?: TaskOptions): Promise<SurfacePoints>;
   /**

@@ -40,9 +40,9 @@ geodesic-voronoi COMMAND --help shows a command's options, geodesic-voronoi --ve
 
 A file of sites or points is {"face": [i, …], "bary": [b0, b1, b2, …]} or {"vertex": [i, …]}; faces
 count the mesh's triangles, vertices its positions, both in scene order. Or it is {"position": [x,
-y, z, …]}, in the model's own coordinates: the points of the surface closest to these places. The
-vertices of a .ply are such places, too, and so are the columns x, y and z of a .csv or .xyz. A
-result of this command that has sites will do, too.
+y, z, …]} or [[x, y, z], …], in the model's own coordinates: the points of the surface closest to
+these places. The vertices of a .ply are such places, too, and so are the columns x, y and z of a
+.csv or .xyz. A result of this command that has sites will do, too.
 
 Exit status: 0 done, 1 bad input, 2 a wrong command line.
 `;
