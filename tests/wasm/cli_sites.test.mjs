@@ -251,6 +251,11 @@ test('points as JSON in place of a file, and named in errors', () => {
   succeeds('cvt two.glb --sites 2 -o two.json');
   fails(1, 'distances shape.glb --sites two.json -o d.ply', /two\.json.*10 triangles, not 8/);
   fails(1, `${path} 0`, /there is no file 0; a vertex is given as '\{"vertex": 0\}'\n$/);
+  fails(
+    1,
+    `${path} -1,0,0.5`,
+    /there is no file -1,0,0\.5; a place is given as '\[\[-1,0,0\.5\]\]'\n$/,
+  );
   const both = '{"vertex":[0],"face":[0],"bary":[1,0,0]}';
   fails(1, `${path} ${both}`, /: points has both vertex and face: only one can say where/);
   const other = '{"vertex":[1],"position":[0,0,0]}';

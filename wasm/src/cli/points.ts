@@ -27,8 +27,10 @@ export type NamedPoints = PointsFile & { name: string };
 
 /** Reads a list of sites or points. */
 export async function readPoints(given: string): Promise<NamedPoints> {
-  if (/^\d+$/.test(given) && !(await exists(given)))
-    throw new FileError(`there is no file ${given}; a vertex is given as '{"vertex": ${given}}'`);
+  const vertex = /^\d+$/.test(given) && `a vertex is given as '{"vertex": ${given}}'`;
+  const place = /^[-\d.]+(,[-\d.]+){2}$/.test(given) && `a place is given as '[[${given}]]'`;
+  if ((vertex || place) && !(await exists(given)))
+    throw new FileError(`there is no file ${given}; ${vertex || place}`);
   const file = await readAs(given, async (bytes) => pointsFile(await readPointsFile(bytes)));
   return { name: nameOf(given), ...file };
 }
