@@ -1104,6 +1104,16 @@ suite('attributes and events', () => {
     ]);
   });
 
+  test('a picture that ends with its element says so, and no graphics card is blamed', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
+    const refusal = await viewer.evaluate((viewer) => {
+      const picture = viewer.toBlob().catch(({ message }) => message);
+      viewer.remove();
+      return picture;
+    });
+    assert.equal(refusal, 'The element has left its document.');
+  });
+
   test('opening a file tells how far it is, and ends in the worker when it is cancelled', async () => {
     const viewer = await browser.open({
       path: 'one.html',

@@ -105,7 +105,7 @@ export class SharedRenderer {
    * as a canvas does for its files, would block the page.
    */
   async read(picture: Picture): Promise<DrawnPixels> {
-    if (!this.#render(picture)) throw dropped();
+    if (!this.#render(picture)) throw this.#dropped();
     const gl = this.#renderer.getContext() as WebGL2RenderingContext;
     const { drawingBufferWidth: width, drawingBufferHeight: height } = gl;
     const pixels = new Uint8ClampedArray(4 * width * height);
@@ -126,7 +126,7 @@ export class SharedRenderer {
     }
     gl.deleteSync(drawn);
     gl.deleteBuffer(buffer);
-    if (gl.isContextLost()) throw dropped();
+    if (gl.isContextLost()) throw this.#dropped();
     return { width, height, pixels };
   }
 
@@ -161,8 +161,12 @@ export class SharedRenderer {
     // Not left to garbage collection, in which browsers free contexts late. A lost one cannot be lost again.
     if (!this.#renderer.getContext().isContextLost()) this.#renderer.forceContextLoss();
   }
-}
 
-function dropped(): Error {
-  return new Error('The graphics card has dropped this view.');
+  /** Why there are no pixels: without users, the renderer has freed its context itself. */
+  #dropped(): Error {
+    const isUsed = this.#users.size > 0;
+    return new Error(
+      isUsed ? 'The graphics card has dropped this view.' : 'The element has left its document.',
+    );
+  }
 }
