@@ -1114,6 +1114,35 @@ suite('attributes and events', () => {
     assert.equal(refusal, 'The element has left its document.');
   });
 
+  test('a picture that outlives its element leaves nothing on the graphics card', async () => {
+    const viewer = await browser.open({
+      path: 'one.html',
+      prepare: (page) =>
+        page.addInitScript(() => {
+          window.buffers = new Set();
+          const { createBuffer, deleteBuffer } = WebGL2RenderingContext.prototype;
+          WebGL2RenderingContext.prototype.createBuffer = function () {
+            const buffer = createBuffer.call(this);
+            window.buffers.add(buffer);
+            return buffer;
+          };
+          WebGL2RenderingContext.prototype.deleteBuffer = function (buffer) {
+            window.buffers.delete(buffer);
+            deleteBuffer.call(this, buffer);
+          };
+        }),
+    });
+    const size = await viewer.evaluate(async (viewer) => {
+      document.body.append(document.createElement('geodesic-voronoi')); // keeps the context
+      const picture = viewer.toBlob();
+      viewer.remove();
+      return (await picture).size;
+    });
+    assert.ok(size > 0);
+    await viewer.drawn();
+    assert.equal(await viewer.page.evaluate(() => window.buffers.size), 0);
+  });
+
   test('opening a file tells how far it is, and ends in the worker when it is cancelled', async () => {
     const viewer = await browser.open({
       path: 'one.html',

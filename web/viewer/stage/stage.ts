@@ -133,6 +133,7 @@ export class Stage {
   }
 
   dispose(): void {
+    this.inView = false; // what is still under way may ask for one more drawing
     cancelAnimationFrame(this.#drawing);
     this.camera.dispose();
   }
