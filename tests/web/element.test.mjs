@@ -791,7 +791,7 @@ suite('attributes and events', () => {
     assert.match(sampled.message, /^The sites cannot be placed: .*[^.]\.$/);
   });
 
-  test('a number of sites that is none is refused, and so are other numbers', async () => {
+  test('a number that is refused is named by its attribute', async () => {
     const viewer = await browser.open({ path: 'one.html' });
     const refusal = async (name, value) => {
       const { message } = await viewer.after('error', () =>
@@ -800,8 +800,11 @@ suite('attributes and events', () => {
       assert.equal(await viewer.siteCount(), 12, 'all is as before');
       return message;
     };
-    assert.match(await refusal('sites', 'abc'), /^The sites cannot be placed: count is "abc", not/);
-    assert.match(await refusal('sites', '-5'), /^The sites cannot be placed: count is -5, not/);
+    assert.match(await refusal('sites', 'abc'), /^The sites cannot be placed: sites is "abc", not/);
+    assert.match(await refusal('sites', '-5'), /^The sites cannot be placed: sites is -5, not/);
+    assert.match(await refusal('per-component', '0.5'), /: per-component is 0.5, not an integer/);
+    assert.match(await refusal('max-edge', '2'), /: max-edge is 2, not a number/);
+    assert.match(await refusal('min-component', '-1'), /: min-component is -1, not an integer/);
     assert.match(await refusal('seed', 'x'), /seed is "x", not an integer/);
     assert.match(await refusal('weld', 'tight'), /weld is "tight", not a number/);
     assert.match(await refusal('detail', 'fine'), /detail is "fine", not an integer/);

@@ -3,7 +3,11 @@
 // The content of an element: it connects the session, the scene and the tools.
 
 import type { SurfacePath } from 'geodesic-voronoi';
-import { buildAttributes, samplingAttributes } from './attributes/attribute_defaults.js';
+import {
+  buildAttributes,
+  namingAttribute,
+  samplingAttributes,
+} from './attributes/attribute_defaults.js';
 import type { Attributes } from './attributes/attribute_values.js';
 import { formatCameraOrbit } from './stage/camera_orbit.js';
 import { commandOf, isOfView, perform } from './tools/commands.js';
@@ -336,7 +340,7 @@ export class Viewer implements Workpiece {
       },
       failed: (type, cause) => {
         const message = cause instanceof Error ? cause.message : String(cause);
-        this.#emit('error', { type, message, cause });
+        this.#emit('error', { type, message: namingAttribute(message), cause });
       },
     };
   }

@@ -26,6 +26,21 @@ export const attributeDefaults: Readonly<Record<string, string>> = {
   up: 'y',
 };
 
+/** The attributes that are not named as the library's options which they set. */
+const ofOptions: Readonly<Record<string, string>> = {
+  maxEdge: 'max-edge',
+  minComponent: 'min-component',
+  count: 'sites',
+  perComponent: 'per-component',
+  energyTolerance: 'cvt-tolerance',
+  method: 'cvt-method',
+};
+
+/** A sentence on an option that the library refuses, with the name of its attribute. */
+export function namingAttribute(sentence: string): string {
+  return sentence.replace(/(?<=: )\w+(?= is )/, (option) => ofOptions[option] ?? option);
+}
+
 /** The text of an attribute, or else its default. */
 export function attributeOf(element: Pick<Element, 'getAttribute'>, name: string): string {
   return element.getAttribute(name) ?? attributeDefaults[name];
