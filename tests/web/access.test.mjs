@@ -228,6 +228,21 @@ suite('access', () => {
     }
   });
 
+  test('on a phone an error and a note do not cover the model together', async () => {
+    const viewer = await browser.open({ viewport: { width: 390, height: 844 }, hasTouch: true });
+    const { page } = viewer;
+    await viewer.after('exploded', () => viewer.set({ exploded: 0.5 }));
+    const { x, y, width, height } = await page.locator('#viewer').boundingBox();
+    await page.touchscreen.tap(x + width / 2, y + height / 2);
+    const note = page.locator('#note');
+    await note.waitFor();
+    await viewer.after('error', () => viewer.choose({ 'a.txt': 'a' }));
+    await page.locator('#error').waitFor();
+    assert.equal(await note.isVisible(), false);
+    await page.click('#error-close');
+    assert.equal(await note.isVisible(), true);
+  });
+
   test('readout, scale of distances and toolbar lie side by side', async () => {
     for (const [width, height] of [
       [844, 390],
