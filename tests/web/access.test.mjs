@@ -228,6 +228,21 @@ suite('access', () => {
     }
   });
 
+  test('keys that press buttons are announced', async () => {
+    const viewer = await browser.open();
+    await viewer.page.locator('geodesic-voronoi canvas').focus();
+    for (const [key, told] of [
+      ['u', 'Upward axis: Z'],
+      ['h', 'Hide the controls, pressed'],
+      ['h', 'Hide the controls, not pressed'],
+    ]) {
+      await viewer.page.keyboard.press(key);
+      await viewer.page
+        .locator('[role=status]', { hasText: new RegExp(`^${told}$`) })
+        .waitFor({ state: 'attached', timeout: 5000 });
+    }
+  });
+
   test('on a phone an error and a note do not cover the model together', async () => {
     const viewer = await browser.open({ viewport: { width: 390, height: 844 }, hasTouch: true });
     const { page } = viewer;

@@ -44,7 +44,7 @@ export function setUpKeyboard(viewer: GeodesicVoronoiElement): void {
     if (isCharacter && !view.contains(document.activeElement)) return;
     const button = ofButtons[event.key.toLowerCase()];
     if (isCharacter && button) {
-      byId(button, HTMLButtonElement).click();
+      press(byId(button, HTMLButtonElement));
       return;
     }
     const command = commandOf(event);
@@ -53,6 +53,16 @@ export function setUpKeyboard(viewer: GeodesicVoronoiElement): void {
     if (command === 'cancel' && document.querySelector(':popover-open')) return;
     event.preventDefault();
     viewer.perform(command);
+  });
+}
+
+/** Presses a button, and has screen readers say what they would say if it had the focus. */
+function press(button: HTMLButtonElement): void {
+  button.click();
+  // Once it has followed the attributes that it has changed.
+  queueMicrotask(() => {
+    const state = { true: ', pressed', false: ', not pressed' }[button.ariaPressed ?? ''] ?? '';
+    byId('told', HTMLElement).textContent = button.ariaLabel + state;
   });
 }
 
