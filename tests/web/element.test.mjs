@@ -560,6 +560,28 @@ suite('attributes and events', () => {
     assert.deepEqual(seen, Array(12).fill(true));
   });
 
+  test('a selected site that the surface hides is seen through it', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
+    await viewer.set({ selected: 0 });
+    await viewer.drawn();
+    await viewer.evaluate((viewer) => {
+      const [, ...rest] = viewer.cameraOrbit.split(' ');
+      viewer.cameraOrbit = `${Number.parseFloat(viewer.cameraOrbit) + 180}deg ${rest.join(' ')}`;
+    });
+    await viewer.still();
+    assert.equal(await viewer.sitePosition(0), undefined);
+    const pixels = () =>
+      viewer.evaluate(async ({ shadowRoot }) => [
+        ...(await window.pixelsOf(shadowRoot.querySelector('canvas'))).data,
+      ]);
+    const selected = await pixels();
+    await viewer.set({ selected: -1 });
+    await viewer.drawn();
+    const unselected = await pixels();
+    const changed = selected.filter((value, i) => Math.abs(value - unselected[i]) > 10);
+    assert.ok(changed.length > 50, `${changed.length} values of its pixels`);
+  });
+
   test('an edit without a model is refused, in a sentence', async () => {
     const viewer = await emptyPage();
     const refusals = await viewer.page.evaluate(async () => {

@@ -6,6 +6,7 @@ import {
   BufferAttribute,
   Color,
   DoubleSide,
+  GreaterDepth,
   InstancedBufferAttribute,
   InstancedBufferGeometry,
   Mesh,
@@ -28,6 +29,8 @@ const emphasisedSize = 1.35;
  * Discs in the tangent plane: narrow when seen from the side, and vanishing with the surface at the
  * silhouette. They are lifted towards the camera so that hollows do not cut into them; less when
  * seen from the side, so that no marker shows from behind the silhouette.
+ *
+ * Of the emphasised marker, what the surface hides is drawn once more, faintly (HIDDEN).
  */
 const vertexShader = /* glsl */ `
   attribute vec3 place;
@@ -49,6 +52,9 @@ const vertexShader = /* glsl */ `
     vec3 view = -normalize(centre);
     float facing = dot(normal, view);
     float slope = front == 0.0 ? abs(facing) : max(0.0, front * facing);
+    #ifdef HIDDEN
+      slope = emphasised * abs(facing);
+    #endif
     float pixelsPerUnit = pixelsPerUnitAtOne / -centre.z;
     float lowest = min(least, ${crowding.toFixed(1)} * usual * pixelsPerUnit);
     float pixels = clamp(size * pixelsPerUnit, lowest, most) * mix(1.0, ${emphasisedSize}, emphasised);
@@ -83,6 +89,9 @@ const fragmentShader = /* glsl */ `
     if (opacity <= 0.0) discard;
     float inner = vPixels * (1.0 - ${rimShare});
     float core = clamp((inner - distance) / pixel + 0.5, 0.0, 1.0);
+    #ifdef HIDDEN
+      opacity *= 0.4;
+    #endif
     gl_FragColor = vec4(mix(edge, mix(fill, emphasis, vEmphasised), core), opacity);
     #include <colorspace_fragment>
   }
@@ -90,6 +99,8 @@ const fragmentShader = /* glsl */ `
 
 export class Markers {
   readonly object: Mesh<InstancedBufferGeometry, ShaderMaterial>;
+  /** The emphasised marker where the surface hides it. */
+  readonly #hidden: Mesh<InstancedBufferGeometry, ShaderMaterial>;
   /** Place, outward direction, size, and 1 if emphasised. */
   readonly #markers = new RecordBuffer((n) => [
     new InstancedBufferAttribute(new Float32Array(3 * n), 3),
@@ -100,7 +111,7 @@ export class Markers {
 
   /** Takes the least radius, less where regions are small on the screen, and the greatest, in CSS pixels. */
   constructor({ least, most }: { least: number; most: number }) {
-    const material = new ShaderMaterial({
+    const parameters = {
       vertexShader,
       fragmentShader,
       transparent: true,
@@ -116,11 +127,18 @@ export class Markers {
         emphasis: { value: new Color() },
         pixelsPerUnitAtOne: { value: 1000 },
       },
-    });
+    };
+    const material = new ShaderMaterial(parameters);
+    // With the same uniforms.
+    const hidden = { ...parameters, defines: { HIDDEN: '' }, depthFunc: GreaterDepth };
     this.object = new Mesh(new InstancedBufferGeometry(), material);
-    this.object.frustumCulled = false;
-    // After lines, which are drawn as if opaque.
-    this.object.renderOrder = 1;
+    this.#hidden = new Mesh(this.object.geometry, new ShaderMaterial(hidden));
+    this.object.add(this.#hidden);
+    for (const each of [this.object, this.#hidden]) {
+      each.frustumCulled = false;
+      // After lines, which are drawn as if opaque.
+      each.renderOrder = 1;
+    }
     const size = new Vector2();
     this.object.onBeforeRender = (renderer, _scene, camera) => {
       renderer.getSize(size);
@@ -164,6 +182,7 @@ export class Markers {
     const count = places.length / 3;
     const flags = new Float32Array(count);
     if (emphasised >= 0 && emphasised < count) flags[emphasised] = 1;
+    this.#hidden.visible = emphasised >= 0;
     const each = typeof sizes === 'number' ? new Float32Array(count).fill(sizes) : sizes;
     this.#markers.set(new Int32Array(2 * count), [places, outward, each, flags]);
     this.#adopt();
@@ -171,7 +190,7 @@ export class Markers {
 
   dispose(): void {
     this.object.geometry.dispose();
-    this.object.material.dispose();
+    for (const { material } of [this.object, this.#hidden]) material.dispose();
   }
 
   #adopt(): void {
@@ -188,7 +207,7 @@ export class Markers {
       geometry.setAttribute('size', size);
       geometry.setAttribute('emphasised', emphasised);
       geometry.boundingSphere = wholeScene;
-      this.object.geometry = geometry;
+      this.object.geometry = this.#hidden.geometry = geometry;
     }
     this.object.geometry.instanceCount = this.#markers.count;
   }
