@@ -73,8 +73,22 @@ test('what scrolls in a document is reached by keys, and its examples are saved'
   await page.close();
 });
 
+const [importMap] = live.match(/<script type="importmap">[^]*?<\/script>/);
+
+test('the page of the element’s document tells areas, and its sites come back', async () => {
+  const html = blocks('web/docs/element.md', 'html').find((block) =>
+    block.includes('localStorage'),
+  );
+  const page = await open(`<!doctype html>\n${importMap}\n${html}`);
+  assert.match(await page.textContent('output'), /^40 regions, areas up to 0\.\d+$/);
+  await page.evaluate(() => document.querySelector('geodesic-voronoi').removeSite(3));
+  await page.waitForFunction(() => document.querySelector('output').textContent.startsWith('39 '));
+  await page.reload();
+  await page.waitForFunction(() => document.querySelector('output').textContent.startsWith('39 '));
+  await page.close();
+});
+
 test('the element of the readme shows a diagram', async () => {
-  const [importMap] = live.match(/<script type="importmap">[^]*?<\/script>/);
   const [snippet, ...more] = blocks('README.md', 'html');
   assert.equal(more.length, 0);
   const page = await open(`<!doctype html>\n${importMap}\n${snippet}`);
