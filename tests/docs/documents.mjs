@@ -10,10 +10,7 @@ import { documents } from '../../web/docs/make/pages.mjs';
 export const root = fileURLToPath(new URL('../..', import.meta.url));
 
 /** All Markdown files, by their paths in the repository. */
-export const markdownFiles = [
-  'README.md',
-  ...documents.map(({ source }) => relative(root, source)),
-];
+export const markdownFiles = documents.map(({ source }) => relative(root, source));
 
 export const textOf = (path) => readFileSync(`${root}/${path}`, 'utf8');
 

@@ -3,7 +3,7 @@
 // The documents as static pages: Markdown in a small frame. A link that leads nowhere is an error.
 
 import { cpSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { basename, dirname, join, relative, resolve } from 'node:path';
+import { dirname, join, relative, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { Marked } from 'marked';
 
@@ -12,7 +12,7 @@ const folder = here('..');
 
 /** In the order of the navigation. */
 export const documents = [
-  { source: here('../index.md'), target: 'index.html', title: 'Documents' },
+  { source: here('../../../README.md'), target: 'index.html', title: 'Overview' },
   { source: here('../guide.md'), target: 'guide.html', title: 'Guide' },
   { source: here('../files.md'), target: 'files.html', title: 'Files' },
   { source: here('../element.md'), target: 'element.html', title: 'The element' },
@@ -140,8 +140,6 @@ function addressOf(href, source, from) {
   const document = documents.find((other) => other.source === file);
   if (document) return relative(from, document.target) + suffix;
   if (references.some(({ target }) => target === path)) return path;
-  // The readme is for the repository; who reads here has the pages.
-  if (basename(file) === 'README.md') return 'index.html';
   const asset = relative(folder, file);
   if (existsSync(file) && assets.includes(asset.split('/')[0])) return asset + suffix;
   throw new Error(`${relative(process.cwd(), source)} links to ${href}, which is no page`);
