@@ -1104,6 +1104,34 @@ suite('attributes and events', () => {
     assert.equal(message, 'line.obj has no area to be seen: all of its triangles are flat.');
   });
 
+  test('its picture is as fine as the screen, also when the page is zoomed', async () => {
+    const viewer = await browser.open({
+      path: 'one.html',
+      prepare: (page) =>
+        page.addInitScript(() => {
+          window.queries = [];
+          const { matchMedia } = window;
+          window.matchMedia = (text) => {
+            const query = matchMedia.call(window, text);
+            if (text.includes('resolution')) window.queries.push(query);
+            return query;
+          };
+        }),
+    });
+    const cdp = await viewer.page.context().newCDPSession(viewer.page);
+    for (const deviceScaleFactor of [2, 1.5]) {
+      const metrics = { width: 800, height: 420, deviceScaleFactor, mobile: false };
+      await cdp.send('Emulation.setDeviceMetricsOverride', metrics);
+      // Browsers tell of it, but not where it is emulated.
+      await viewer.page.evaluate(() => window.queries.at(-1).dispatchEvent(new Event('change')));
+      await viewer.drawn();
+      const width = await viewer.evaluate(
+        ({ shadowRoot }) => shadowRoot.querySelector('canvas').width,
+      );
+      assert.equal(width, 300 * deviceScaleFactor);
+    }
+  });
+
   test('a picture of no size is refused, and so is a density of other vertices', async () => {
     const viewer = await browser.open({ path: 'one.html' });
     const refusals = await viewer.evaluate(async (viewer) => {

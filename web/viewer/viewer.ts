@@ -22,6 +22,7 @@ import { OpenModel } from './model/open_model.js';
 import { OriginalLayer } from './layers/original_layer.js';
 import { PageScrolling } from './tools/page_scrolling.js';
 import type { DrawnPixels } from './stage/picture_file.js';
+import { watchPixelRatio } from './stage/pixel_ratio.js';
 import { PointerGestures } from './tools/pointer_gestures.js';
 import { Session } from './session/session.js';
 import type { DrawingUpdate, SessionListener } from './session/session_listener.js';
@@ -119,6 +120,7 @@ export class Viewer implements Workpiece {
     });
     resizing.observe(canvas);
     signal.addEventListener('abort', () => resizing.disconnect());
+    watchPixelRatio(() => this.stage.invalidate(), signal);
     const stopWatching = watchNearness(canvas, (isNear) => (this.stage.inView = isNear));
     signal.addEventListener('abort', stopWatching);
     canvas.addEventListener('keydown', (event) => {
