@@ -97,12 +97,15 @@ const leaveOutOfThree = {
       ? "export const vertex = '', fragment = '';"
       : "export default '';";
   },
-  /** Shaders are texts, whose indentation and comments are left by what minifies scripts. */
-  transform(code, id) {
-    return /three\/src\/renderers\/shaders\//.test(id)
-      ? code.replace(/^\s*(\/\/.*\n\s*)*/gm, '')
-      : undefined;
-  },
+};
+
+/** Shaders and styles are texts, whose indentation and comments are left by what minifies scripts. */
+const withoutComments = {
+  name: 'without-comments',
+  transform: (code, id) =>
+    /three\/src\/renderers\/shaders\/|\/web\/viewer\//.test(id)
+      ? code.replace(/^\s*((\/\/.*|\/\*.*\*\/)\n\s*)*/gm, '')
+      : undefined,
 };
 
 export default defineConfig(({ isPreview }) => {
@@ -116,7 +119,7 @@ export default defineConfig(({ isPreview }) => {
   return {
     define: { firstBytes },
     base: './',
-    plugins: [preloadMain, withoutIndentation, leaveOutOfThree],
+    plugins: [preloadMain, withoutIndentation, leaveOutOfThree, withoutComments],
     // The source modules of three.js: those not needed at first sight come with code that needs
     // them.
     resolve: { alias: [{ find: /^three$/, replacement: 'three/src/Three.js' }] },
