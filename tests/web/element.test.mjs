@@ -105,6 +105,15 @@ const browser = await browserForTests({
       buffers: [{ uri: 'http://[', byteLength: 1 }],
     }),
   },
+  '/vast.gltf': {
+    html: JSON.stringify({
+      asset: { version: '2.0' },
+      nodes: [{ mesh: 0 }],
+      scenes: [{ nodes: [0] }],
+      meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }],
+      accessors: [{ componentType: 5126, count: 20_000_001, type: 'VEC3' }],
+    }),
+  },
   '/pentagon.obj': { html: 'v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 2 0\nv 0 1 0\nf 1 2 3 4 5\n' },
   '/inside-out.obj': {
     html: `v -1 -1 -1\nv 1 -1 1\nv -1 1 1\nv 1 1 -1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n`,
@@ -830,6 +839,12 @@ suite('attributes and events', () => {
     assert.match(await refusal('seed', 'x'), /seed is "x", not an integer/);
     assert.match(await refusal('weld', 'tight'), /weld is "tight", not a number/);
     assert.match(await refusal('detail', 'fine'), /detail is "fine", not an integer/);
+  });
+
+  test('a model that is too large is refused without advice that attributes cannot follow', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
+    const { message } = await viewer.after('error', () => viewer.set({ src: '/vast.gltf' }));
+    assert.match(message, /^vast\.gltf cannot be opened: .*16777216 vertices\.$/);
   });
 
   test('a model that is given up is not made ready on the page in place of the worker', async () => {

@@ -5,7 +5,7 @@
 import type { SurfacePath } from 'geodesic-voronoi';
 import {
   buildAttributes,
-  namingAttribute,
+  namingAttributes,
   samplingAttributes,
 } from './attributes/attribute_defaults.js';
 import type { Attributes } from './attributes/attribute_values.js';
@@ -342,7 +342,7 @@ export class Viewer implements Workpiece {
       },
       failed: (type, cause) => {
         const message = cause instanceof Error ? cause.message : String(cause);
-        this.#emit('error', { type, message: namingAttribute(message), cause });
+        this.#emit('error', { type, message: namingAttributes(message), cause });
       },
     };
   }

@@ -36,9 +36,11 @@ const ofOptions: Readonly<Record<string, string>> = {
   method: 'cvt-method',
 };
 
-/** A sentence on an option that the library refuses, with the name of its attribute. */
-export function namingAttribute(sentence: string): string {
-  return sentence.replace(/(?<=: )\w+(?= is )/, (option) => ofOptions[option] ?? option);
+/** A sentence of the library with the attribute for an option, and without options that have none. */
+export function namingAttributes(sentence: string): string {
+  return sentence
+    .replace(/(?<=: )\w+(?= is )/, (option) => ofOptions[option] ?? option)
+    .replace(/; raise the limit \w+ to read it/, '');
 }
 
 /** The text of an attribute, or else its default. */
