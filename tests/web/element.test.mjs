@@ -1147,6 +1147,16 @@ suite('attributes and events', () => {
     }
   });
 
+  test('the model keeps clear of a padding that the element gets later', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
+    const place = () => viewer.evaluate((viewer) => viewer.project([0, 0.42, 1])[0].x);
+    const before = await place();
+    await viewer.evaluate((viewer) => void (viewer.style.paddingRight = '100px'));
+    await viewer.drawn();
+    const after = await place();
+    assert.ok(after < before - 20, `${after} after ${before}`);
+  });
+
   test('a picture of no size is refused, and so is a density of other vertices', async () => {
     const viewer = await browser.open({ path: 'one.html' });
     const refusals = await viewer.evaluate(async (viewer) => {

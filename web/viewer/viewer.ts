@@ -104,7 +104,8 @@ export class Viewer implements Workpiece {
       this.#emit('camera-change', { orbit: formatCameraOrbit(this.stage.camera.orbit) });
     });
     this.stage.camera.up = this.attributes.up;
-    this.legend = new Legend(canvas.getRootNode() as ShadowRoot);
+    const root = canvas.getRootNode() as ShadowRoot;
+    this.legend = new Legend(root);
     this.#derived = new DerivedDrawings(this, this.#emit);
     this.#original = new OriginalLayer(this, this.#emit);
     this.#wireframe = new WireframeLayer(this);
@@ -119,6 +120,7 @@ export class Viewer implements Workpiece {
       this.scrolling.update();
     });
     resizing.observe(canvas);
+    resizing.observe(root.host); // whose padding may change alone
     signal.addEventListener('abort', () => resizing.disconnect());
     watchPixelRatio(() => this.stage.invalidate(), signal);
     const stopWatching = watchNearness(canvas, (isNear) => (this.stage.inView = isNear));
