@@ -591,6 +591,19 @@ suite('attributes and events', () => {
     assert.ok(changed.length > 50, `${changed.length} values of its pixels`);
   });
 
+  test('a selected site that the surface hides is not moved by keys, which say why', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
+    await viewer.evaluate((viewer) => {
+      viewer.selected = 0;
+      const [, ...rest] = viewer.cameraOrbit.split(' ');
+      viewer.cameraOrbit = `${Number.parseFloat(viewer.cameraOrbit) + 180}deg ${rest.join(' ')}`;
+    });
+    await viewer.still();
+    await viewer.evaluate((viewer) => viewer.perform('move-left'));
+    const hint = viewer.page.locator('geodesic-voronoi [part=hint]');
+    assert.equal(await hint.textContent(), 'The surface hides the selected site');
+  });
+
   test('an edit without a model is refused, in a sentence', async () => {
     const viewer = await emptyPage();
     const refusals = await viewer.page.evaluate(async () => {

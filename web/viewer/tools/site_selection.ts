@@ -75,7 +75,8 @@ export class SiteSelection {
     const from = this.#owner.sitePosition(index);
     const place = from && tools.pick(stage.toDevice(from.x + right, from.y + down));
     if (!place) {
-      hint(index < 0 ? 'No site is selected' : 'The model is not seen there');
+      const why = from ? 'The model is not seen there' : 'The surface hides the selected site';
+      hint(index < 0 ? 'No site is selected' : why);
       return;
     }
     const isSame = this.#nudged?.sites === session.sites && this.#nudged.index === index;
