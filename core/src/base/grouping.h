@@ -19,23 +19,19 @@ class Grouping {
   bool run(int itemCount, int groupCount, GroupOf groupOf, long& budget) {
     constexpr long kItemsPerUnit = 16;  // memory is accessed in random order
     return sequence_.run([&] { return fillInSlices(end_, groupCount + 1, 0, budget); },
-                         [&] {
-                           return loop_.run(itemCount, budget, kItemsPerUnit, [&](int item) {
-                             if (const int group = groupOf(item); group >= 0) ++end_[group + 1];
-                           });
-                         },
-                         [&] {
-                           return loop_.run(groupCount, budget, kQuickRounds,
-                                            [&](int group) { end_[group + 1] += end_[group]; });
-                         },
+                         forEach(itemCount, budget, kItemsPerUnit,
+                                 [&](int item) {
+                                   if (const int group = groupOf(item); group >= 0)
+                                     ++end_[group + 1];
+                                 }),
+                         forEach(groupCount, budget, kQuickRounds,
+                                 [&](int group) { end_[group + 1] += end_[group]; }),
                          [&] { return fillInSlices(items_, end_[groupCount], 0, budget); },
                          // `end_` holds the start of each group, and advances to its end.
-                         [&] {
-                           return loop_.run(itemCount, budget, kItemsPerUnit, [&](int item) {
-                             if (const int group = groupOf(item); group >= 0)
-                               items_[end_[group]++] = item;
-                           });
-                         });
+                         forEach(itemCount, budget, kItemsPerUnit, [&](int item) {
+                           if (const int group = groupOf(item); group >= 0)
+                             items_[end_[group]++] = item;
+                         }));
   }
 
   /// Calls visit(items) for every group, in slices; `visit` may sort the items. Call it with the
@@ -43,7 +39,7 @@ class Grouping {
   template <class Visit>
   bool visitGroups(Visit visit, long& budget) {
     constexpr long kItemsPerUnit = 8;
-    return loop_.runWeighted(end_.size() - 1, budget, kItemsPerUnit, [&](int group) {
+    return loop_.run(end_.size() - 1, budget, kItemsPerUnit, [&](int group) {
       const std::span<int> all = items(group);
       visit(all);
       return static_cast<long>(all.size()) + 1;

@@ -22,16 +22,22 @@ namespace gvd {
 class SlicedLoop {
  public:
   /// Calls `body` with the indices. Returns true when it has been called with all of them; the next
-  /// loop then starts from 0.
+  /// loop then starts from 0. Where indices differ in cost, `body` returns how many of `perUnit`
+  /// rounds it took, as a long.
   template <class Body>
   bool run(std::size_t count, long& budget, long perUnit, Body body) {
-    const std::size_t begin = next_, end = advance(count, budget, perUnit);
-    for (std::size_t i = begin; i < end; ++i) body(static_cast<int>(i));
-    return end == count;
+    if constexpr (std::is_same_v<std::invoke_result_t<Body&, int>, long>) {
+      return runWeighted(count, budget, perUnit, body);
+    } else {
+      const std::size_t begin = next_, end = advance(count, budget, perUnit);
+      for (std::size_t i = begin; i < end; ++i) body(static_cast<int>(i));
+      return end == count;
+    }
   }
-  /// The same for indices that differ in cost: `body` returns how many of `perUnit` rounds it took.
+
+ private:
   template <class Body>
-  bool runWeighted(std::size_t count, long& budget, long perUnit, Body body) {
+  bool runWeighted(std::size_t count, long& budget, long perUnit, Body& body) {
     while (next_ < count) {
       if (budget <= 0) return false;
       long rounds = 0;
@@ -41,8 +47,6 @@ class SlicedLoop {
     next_ = 0;
     return true;
   }
-
- private:
   std::size_t advance(std::size_t count, long& budget, long perUnit);
 
   std::size_t next_ = 0;

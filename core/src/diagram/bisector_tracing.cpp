@@ -23,17 +23,18 @@ BisectorTracing::BisectorTracing(FaceComplex& complex, NodePoints& nodePoints, B
       points_(complex, nodePoints, graph) {}
 
 bool BisectorTracing::step(long& budget) {
-  return sequence_.run([&] { return fillInSlices(out_.regionArea, out_.siteCount, 0.0, budget); },
-                       [&] {
-                         return complex_.hasFacesOnly() ||
-                                fillInSlices(out_.faceLabel, complex_.faceCount(), Diagram::kMixed,
-                                             budget);
-                       },
-                       [&] { return points_.prepare(budget); }, [&] { reserve(); },
-                       [&](SlicedLoop& loop) { return divideAll(loop, budget); },
-                       [&] {
-                         if (complex_.hasFacesOnly()) out_.faceLabel = complex_.takeSoleOwners();
-                       });
+  return sequence_.run(
+      [&] { return fillInSlices(out_.regionArea, out_.siteCount, 0.0, budget); },
+      [&] {
+        return complex_.hasFacesOnly() ||
+               fillInSlices(out_.faceLabel, complex_.faceCount(), Diagram::kMixed, budget);
+      },
+      [&] { return points_.prepare(budget); }, [&] { reserve(); },
+      // In order of elements, so that areas are always summed in the same order.
+      forEach(complex_.elementCount(), budget, kQuickRounds, [&](int e) { return add(e); }),
+      [&] {
+        if (complex_.hasFacesOnly()) out_.faceLabel = complex_.takeSoleOwners();
+      });
 }
 
 /// Reserves the usual memory: most mixed elements have two cells, and every site adds some corners
@@ -53,15 +54,12 @@ void BisectorTracing::reserve() {
   graph_.cellLabel.reserve(cells);
 }
 
-/// Goes through elements in order, so that areas are always summed in the same order.
-bool BisectorTracing::divideAll(SlicedLoop& loop, long& budget) {
-  return loop.runWeighted(complex_.elementCount(), budget, kQuickRounds, [&](int element) {
-    const int owner = complex_.soleOwner(element);
-    if (owner == Diagram::kMixed || !complex_.isFace(element))
-      return kQuickRounds * divide(element);
-    assign(element, owner);
-    return 1L;
-  });
+/// Returns how many quick rounds it took.
+long BisectorTracing::add(int element) {
+  const int owner = complex_.soleOwner(element);
+  if (owner == Diagram::kMixed || !complex_.isFace(element)) return kQuickRounds * divide(element);
+  assign(element, owner);
+  return 1;
 }
 
 /// Assigns a face to one label, or to none.

@@ -30,7 +30,7 @@ class BisectorTracing {
   using PlacedVertex = ElementPoints::PlacedVertex;
 
   void reserve();
-  bool divideAll(SlicedLoop& loop, long& budget);
+  long add(int element);
   void assign(int element, int owner);
   long divide(int element);
   bool isIndifferent(int element, int owner) const;

@@ -63,13 +63,12 @@ bool ComplexBuilding::addMesh(long& budget) {
         return hasOwnElements ||
                fillInSlices(complex_.soleOwner_, mesh_.faceCount(), kUnknown, budget);
       },
-      [&](SlicedLoop& loop) {
-        return loop.runWeighted(mesh_.vertexCount(), budget, kQuickRounds, [&](int v) {
-          nodes.findOwner(v);
-          if (!hasOwnElements) ownFacesAround(v);
-          return static_cast<long>(mesh_.fan(v).size());
-        });
-      },
+      forEach(mesh_.vertexCount(), budget, kQuickRounds,
+              [&](int v) {
+                nodes.findOwner(v);
+                if (!hasOwnElements) ownFacesAround(v);
+                return static_cast<long>(mesh_.fan(v).size());
+              }),
       forFaces([&](int f) {
         if (nodes.commonOwner(mesh_.face(f).vertices.data()) == Diagram::kMixed)
           partsExpected_ += expectedParts(f);

@@ -43,7 +43,7 @@ class Comparison final : public SlicedWork<DiagramAccuracy> {
       : mesh_(mesh), distances_(distances), diagram_(diagram), samples_(samples) {}
 
   bool advance(long budget) override {
-    return sumAreas(mesh_, sums_, budget) && loop_.runWeighted(samples_, budget, 1, [&](int) {
+    return sumAreas(mesh_, sums_, budget) && loop_.run(samples_, budget, 1, [&](int) {
       const SurfacePoint p = drawPoint(random_, sums_);
       mislabelled_ += distances_.nearest(p, budget).label != labelAt(mesh_, diagram_, p);
       ++drawn_;

@@ -123,10 +123,7 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
         forEach(change_.faces, budget, 8, [&](int i) { addFaceLabel(change_.faces[i]); }),
         [&] { return !tracesAll_ || traceAll(budget); },
         [&] { return diagram_.pieces_.replace(change_, budget); },
-        [&](SlicedLoop& loop) {
-          return loop.runWeighted(change_.labels.size(), budget, kQuickRounds,
-                                  [&](int i) { return setArea(i); });
-        },
+        forEach(change_.labels, budget, kQuickRounds, [&](int i) { return setArea(i); }),
         [&] { diagram_.isChanging_ = false; });
   }
   double share() const override {

@@ -46,7 +46,7 @@ bool isDominated(int label, double atTail, double atTip, Labels tail, Labels tip
 
 bool LabelCompletion::step(long& budget) {
   constexpr long kRounds = kQuickRounds / 8;  // of an undecided element
-  while (loop_.runWeighted(complex_.elementCount(), budget, kQuickRounds, [&](int element) {
+  while (loop_.run(complex_.elementCount(), budget, kQuickRounds, [&](int element) {
     if (!complex_.isUndecided(element)) return 1L;
     complete(element);
     return kRounds;

@@ -17,10 +17,8 @@ void LabelClosure::beginChange() {
 
 bool LabelClosure::step(long& budget) {
   return sequence_.run(
-      [&](SlicedLoop& loop) {
-        return loop.runWeighted(changedFaces_.size(), budget, kQuickRounds,
-                                [&](int i) { return closeFace(changedFaces_.list()[i]); });
-      },
+      forEach(changedFaces_.list(), budget, kQuickRounds,
+              [&](int i) { return closeFace(changedFaces_.list()[i]); }),
       [&] { turns_.setRequired(found_); },
       [&] {
         return turns_.step(budget,

@@ -35,8 +35,8 @@ bool OwnerFinding::step(long& budget) {
       [&] { return change_.startsAll ? affectAll(budget) : findAffected(budget); },
       [&](SlicedLoop& loop) {
         return change_.startsAll ||
-               loop.runWeighted(changedVertices_.size(), budget, kLabelsPerUnit,
-                                [&](int i) { return findTies(changedVertices_.list()[i]); });
+               loop.run(changedVertices_.size(), budget, kLabelsPerUnit,
+                        [&](int i) { return findTies(changedVertices_.list()[i]); });
       },
       forEach(affectedFaces_.list(), budget, kQuickRounds,
               [&](int i) { owners_.reset(affectedFaces_.list()[i], requirements_); }),

@@ -248,10 +248,7 @@ class SiteDistances::DistancesAtPoints final : public SlicedWork<std::vector<dou
   bool advance(long budget) override {
     return sequence_.run(
         [&] { distances_.reserve(points_.size()); },
-        [&](SlicedLoop& loop) {
-          return loop.runWeighted(points_.size(), budget, kQuickRounds,
-                                  [&](int i) { return sortOut(i, budget); });
-        },
+        forEach(points_, budget, kQuickRounds, [&](int i) { return sortOut(i, budget); }),
         [&] {
           points_.resize(open_.size());
           atPoints_ = field_.spread_->startDistancesAt(std::move(points_), field_);

@@ -24,12 +24,10 @@ constexpr long kCornersPerUnit = 4;
 /// A loop over the faces of a polygon mesh, as a part of a `SlicedSequence`.
 template <class Body>
 auto forFaces(const PolygonMesh& mesh, long& budget, Body body) {
-  return [&mesh, &budget, body](SlicedLoop& loop) {
-    return loop.runWeighted(mesh.faces.size(), budget, kCornersPerUnit, [&](int f) {
-      body(f);
-      return static_cast<long>(mesh.faces[f].size()) + 1;
-    });
-  };
+  return forEach(mesh.faces.size(), budget, kCornersPerUnit, [&mesh, body](int f) {
+    body(f);
+    return static_cast<long>(mesh.faces[f].size()) + 1;
+  });
 }
 
 // Not inlined, as the WebAssembly module would be larger.

@@ -57,10 +57,7 @@ class ComponentCovering final : public SequentialWork<std::vector<SurfacePoint>>
         forEach(given_, budget, kPointsPerUnit,
                 [&](int i) { countPoint(mesh_, given_[i], i, counts_); }),
         forEach(mesh_.faceCount(), budget, kFacesPerUnit, [&](int f) { listFace(f); }),
-        [&](SlicedLoop& loop) {
-          return loop.runWeighted(lacking_.size(), budget, kPointsPerUnit,
-                                  [&](int c) { return drawOn(c) + 1L; });
-        },
+        forEach(lacking_, budget, kPointsPerUnit, [&](int c) { return drawOn(c) + 1L; }),
         // The list is filled from the last point to the first, and reversed in the end.
         [&] {
           surplus_ = static_cast<std::int64_t>(missing_.size()) - count_;

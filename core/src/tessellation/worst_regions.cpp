@@ -91,8 +91,8 @@ class WorstRegions::Update final : public SlicedSteps {
                           [&](int i) { offerCorners(worst_->shares[i].face); });
         },
         [&](SlicedLoop& loop) {
-          return loop.runWeighted(worst_->outline.size(), budget, kQuickRounds,
-                                  [&](int i) { return offerOutline(worst_->outline[i], budget); });
+          return loop.run(worst_->outline.size(), budget, kQuickRounds,
+                          [&](int i) { return offerOutline(worst_->outline[i], budget); });
         });
   }
   double share() const override { return sequence_.progress(); }
