@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "base/hashing.h"
-#include "base/index_set.h"
 
 namespace gvd {
 namespace {
@@ -241,7 +240,7 @@ DiagramChange changeTo(Diagram diagram) {
   return change;
 }
 
-Diagram extract(const Diagram& from, std::span<const char> isWanted, std::span<const int> faces) {
+Diagram extract(const Diagram& from, const IndexSet& labels, std::span<const int> faces) {
   Diagram out;
   out.siteCount = from.siteCount;
   std::vector<int> pointOf(from.points.size(), -1);
@@ -258,21 +257,21 @@ Diagram extract(const Diagram& from, std::span<const char> isWanted, std::span<c
   };
   std::vector<int> arcOf(from.arcs.size(), -1);
   for (int i = 0; i < from.arcs.size(); ++i) {
-    const auto& labels = from.arcLabels[i];
-    if (!isWanted[labels[0]] && !isWanted[labels[1]]) continue;
+    const auto [left, right] = from.arcLabels[i];
+    if (!labels.contains(left) && !labels.contains(right)) continue;
     arcOf[i] = out.arcs.size();
     addList(from.arcs[i], out.arcs);
-    out.arcLabels.push_back(labels);
+    out.arcLabels.push_back({left, right});
   }
   for (const Diagram::Segment& s : from.segments)
     if (arcOf[s.arc] >= 0)
       out.segments.push_back(
           {{point(s.points[0]), point(s.points[1])}, s.labels, s.face, arcOf[s.arc]});
   for (const Diagram::VoronoiPoint& v : from.voronoiPoints)
-    if (std::any_of(v.labels.begin(), v.labels.end(), [&](int l) { return isWanted[l]; }))
+    if (std::any_of(v.labels.begin(), v.labels.end(), [&](int l) { return labels.contains(l); }))
       out.voronoiPoints.push_back({point(v.point), v.labels});
   for (int i = 0; i < from.loops.size(); ++i) {
-    if (!isWanted[from.loopLabel[i]]) continue;
+    if (!labels.contains(from.loopLabel[i])) continue;
     addList(from.loops[i], out.loops);
     out.loopLabel.push_back(from.loopLabel[i]);
   }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/index_set.h"
 #include "base/sliced_loop.h"
 #include "gvd/diagram.h"
 #include "gvd/dynamic_diagram.h"
@@ -129,9 +130,9 @@ class DiagramPieces {
 /// The change that makes a diagram out of none.
 DiagramChange changeTo(Diagram diagram);
 
-/// Copies out of a diagram the loops, arcs and Voronoi points of the labels with `isWanted[label]`,
-/// the cells of some faces, given ascending, and which of these faces are indifferent. Points are
-/// numbered anew; `faceLabel` and areas are left empty.
-Diagram extract(const Diagram& from, std::span<const char> isWanted, std::span<const int> faces);
+/// Copies out of a diagram the loops, arcs and Voronoi points of some labels, the cells of some
+/// faces, given ascending, and which of these faces are indifferent. Points are numbered anew;
+/// `faceLabel` and areas are left empty.
+Diagram extract(const Diagram& from, const IndexSet& labels, std::span<const int> faces);
 
 }  // namespace gvd

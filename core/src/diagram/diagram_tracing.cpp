@@ -27,14 +27,14 @@ namespace {
 /// regions, and from these the diagram with points merged.
 class Tracing final : public SlicedWork<TracedDiagram> {
  public:
-  /// Traces outlines of the labels with `isTraced[label]`, of all labels if it is empty.
+  /// Traces outlines of some labels, of all if `labels` is null.
   Tracing(const DistanceField& distances, ComplexBuilding& building, int siteCount,
-          std::vector<char> isTraced, NodePoints& nodePoints)
+          const IndexSet* labels, NodePoints& nodePoints)
       : distances_(distances),
         building_(building),
         complex_(building.complex()),
         mesh_(complex_.mesh()),
-        isTraced_(std::move(isTraced)),
+        labels_(labels),
         nodePoints_(nodePoints) {
     out_.siteCount = siteCount;
   }
@@ -59,9 +59,7 @@ class Tracing final : public SlicedWork<TracedDiagram> {
 
  private:
   /// Whether labels were added in a part. Their regions may then go on into faces outside of it.
-  bool isUnreliable() const {
-    return !isTraced_.empty() && completion_ && completion_->hasAddedLabels();
-  }
+  bool isUnreliable() const { return labels_ && completion_ && completion_->hasAddedLabels(); }
 
   void requireLabels() const {
     const int highest = complex_.nodes().highestLabel();
@@ -74,9 +72,7 @@ class Tracing final : public SlicedWork<TracedDiagram> {
     return tracing_.run(
         [&] { return runPart(bisectors_, budget, complex_, nodePoints_, graph_, out_); },
         [&] { bisectors_.reset(); },
-        [&] {
-          return runPart(outlines_, budget, mesh_, distances_, nodePoints_, isTraced_, graph_);
-        },
+        [&] { return runPart(outlines_, budget, mesh_, distances_, nodePoints_, labels_, graph_); },
         [&] { release(graph_.nextDart); }, [&] { return points_.prepare(budget); },
         [&] {
           return runPart(segments_, budget, mesh_, graph_, outlines_->boundarySteps(), points_,
@@ -105,7 +101,7 @@ class Tracing final : public SlicedWork<TracedDiagram> {
   ComplexBuilding& building_;
   FaceComplex& complex_;
   const TriangleMesh& mesh_;
-  const std::vector<char> isTraced_;
+  const IndexSet* const labels_;
   NodePoints& nodePoints_;
 
   SlicedSequence sequence_, tracing_;
@@ -134,7 +130,7 @@ class FullTracing final : public SlicedWork<TracedDiagram> {
   FullTracing(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
               const DiagramOptions& options)
       : building_(mesh, distances, validDetail(options), ComplexBuilding::Extent::kMesh),
-        tracing_(distances, building_, siteCount, {}, nodePoints_) {}
+        tracing_(distances, building_, siteCount, nullptr, nodePoints_) {}
 
   bool advance(long budget) override { return tracing_.step(budget); }
   double share() const override { return tracing_.progress(); }
@@ -192,11 +188,10 @@ PartialTracer::PartialTracer(const TriangleMesh& mesh, const DistanceField& dist
       building_(mesh, distances, validDetail(options), ComplexBuilding::Extent::kPart) {}
 
 std::unique_ptr<SlicedWork<TracedDiagram>> PartialTracer::start(std::span<const int> faces,
-                                                                std::vector<char> isTraced) {
+                                                                const IndexSet& labels,
+                                                                int labelCount) {
   building_.startPart(faces);
-  const int labelCount = static_cast<int>(isTraced.size());
-  return std::make_unique<Tracing>(distances_, building_, labelCount, std::move(isTraced),
-                                   nodePoints_);
+  return std::make_unique<Tracing>(distances_, building_, labelCount, &labels, nodePoints_);
 }
 
 }  // namespace gvd

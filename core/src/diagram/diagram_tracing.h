@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/index_set.h"
 #include "diagram/bisector_tracing.h"
 #include "diagram/complex_building.h"
 #include "gvd/diagram.h"
@@ -42,11 +43,11 @@ class PartialTracer {
   PartialTracer(const TriangleMesh& mesh, const DistanceField& distances,
                 const DiagramOptions& options);
 
-  /// Begins to trace the loops of the labels with `isTraced[label]`. `faces`, ascending, must be
-  /// all faces with a corner where one of these labels and another label are known. Invalidates the
-  /// previous trace. O(M log M), M faces.
+  /// Begins to trace the loops of some labels below `labelCount`. `faces`, ascending, must be all
+  /// faces with a corner where one of these labels and another label are known. Invalidates the
+  /// previous trace; the labels must outlive this one. O(M log M), M faces.
   std::unique_ptr<SlicedWork<TracedDiagram>> start(std::span<const int> faces,
-                                                   std::vector<char> isTraced);
+                                                   const IndexSet& labels, int labelCount);
   /// The index of a face among those of the last trace, -1 if it is not one of them.
   int faceIndex(int face) const { return building_.complex().faceIndex(face); }
 

@@ -89,12 +89,6 @@ class DynamicDiagram::Implementation {
     }
   }
 
-  std::vector<char> marks(std::span<const int> labels) const {
-    std::vector<char> isOne(labelCount());
-    for (const int label : labels) isOne[label] = true;
-    return isOne;
-  }
-
   const TriangleMesh& mesh_;
   DiagramOptions options_;
   bool isChanging_ = false;  ///< from `start` until the change is done
@@ -143,23 +137,26 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
   bool traceParts(long& budget) {
     for (;;) {
       if (!tracing_) {
-        tracedLabels_ = labels_.sorted();
-        tracedFaces_ = diagram_.mixed_.of(tracedLabels_);
-        tracing_ = diagram_.tracer_.start(tracedFaces_, diagram_.marks(tracedLabels_));
+        const std::vector<int> faces = diagram_.mixed_.of(labels_.list());
+        tracing_ = diagram_.tracer_.start(faces, labels_, labelCount());
       }
       if (!tracing_->step(budget)) return false;
       TracedDiagram traced = tracing_->take();
       tracing_.reset();
-      tracesAll_ = !traced.completedFaces.empty() || isTraced(diagram_.completedFaces_);
+      const auto isTraced = [&](int f) { return diagram_.tracer_.faceIndex(f) >= 0; };
+      const std::vector<int>& completed = diagram_.completedFaces_;
+      tracesAll_ = !traced.completedFaces.empty() ||
+                   std::any_of(completed.begin(), completed.end(), isTraced);
       if (tracesAll_) return true;
       std::vector<int> merged = traced.mergedFaces;
       for (const int f : diagram_.mergedFaces_)
         if (isTraced(f)) merged.push_back(f);
       makeSet(merged);
+      const int tracedCount = labels_.size();
       for (const int f : merged) diagram_.addLabelsAround(f, labels_);
-      if (labels_.size() > static_cast<int>(tracedLabels_.size())) continue;
+      if (labels_.size() > tracedCount) continue;
 
-      std::erase_if(diagram_.mergedFaces_, [&](int f) { return isTraced(f); });
+      std::erase_if(diagram_.mergedFaces_, isTraced);
       diagram_.mergedFaces_.insert(diagram_.mergedFaces_.end(), traced.mergedFaces.begin(),
                                    traced.mergedFaces.end());
       makeSet(diagram_.mergedFaces_);
@@ -168,23 +165,16 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
     }
   }
 
-  bool isTraced(int face) const {
-    return std::binary_search(tracedFaces_.begin(), tracedFaces_.end(), face);
-  }
-  bool isTraced(std::span<const int> anyOf) const {
-    return std::any_of(anyOf.begin(), anyOf.end(), [&](int f) { return isTraced(f); });
-  }
-
   /// Puts into the change the traced labels, and the faces that have changed or share a corner with
   /// a face with merged points, but not yet the labels of these faces.
   void takeParts(Diagram traced, std::span<const int> merged) {
     const TriangleMesh& mesh = diagram_.mesh_;
-    change_ = {tracedLabels_, diagram_.distances_->changedFaces().sorted(), {}};
+    change_ = {labels_.sorted(), diagram_.distances_->changedFaces().sorted(), {}};
     for (const int f : merged)
       for (int h = 3 * f; h < 3 * f + 3; ++h)
         mesh.visitFaces(mesh.tail(h), [&](int around) { change_.faces.push_back(around); });
     makeSet(change_.faces);
-    change_.part = extract(traced, diagram_.marks(tracedLabels_), change_.faces);
+    change_.part = extract(traced, labels_, change_.faces);
     change_.part.faceLabel.reserve(change_.faces.size());
     tracedFaceLabel_ = std::move(traced.faceLabel);
     tracedArea_ = std::move(traced.regionArea);
@@ -234,9 +224,8 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
   SlicedSequence sequence_;
   IndexSet labels_{0};  ///< labels to trace
   std::unique_ptr<SlicedWork<TracedDiagram>> tracing_;
-  std::vector<int> tracedLabels_, tracedFaces_;  ///< ascending
-  std::vector<int> tracedFaceLabel_;             ///< of each
-  std::vector<double> tracedArea_;               ///< per label, in the traced faces
+  std::vector<int> tracedFaceLabel_;  ///< of each traced face
+  std::vector<double> tracedArea_;    ///< per label, in the traced faces
   DiagramChange change_;
 };
 

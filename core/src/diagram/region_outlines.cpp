@@ -13,12 +13,11 @@
 namespace gvd {
 
 RegionOutlines::RegionOutlines(const TriangleMesh& mesh, const DistanceField& distances,
-                               NodePoints& nodePoints, std::span<const char> isTraced,
-                               BisectorGraph& graph)
+                               NodePoints& nodePoints, const IndexSet* labels, BisectorGraph& graph)
     : mesh_(mesh),
       distances_(distances),
       nodePoints_(nodePoints),
-      isTraced_(isTraced),
+      labels_(labels),
       graph_(graph),
       boundaryPoints_(graph),
       steps_(graph) {}

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/index_set.h"
 #include "base/sliced_loop.h"
 #include "diagram/bisector_graph.h"
 #include "diagram/boundary_points.h"
@@ -18,10 +19,10 @@ namespace gvd {
 /// is an outline already.
 class RegionOutlines {
  public:
-  /// Traces the labels with `isTraced[label]`, or all if `isTraced` is empty. Adds points to the
-  /// graph where outlines pass vertices on the mesh boundary.
+  /// Traces some labels, or all if `labels` is null. Adds points to the graph where outlines pass
+  /// vertices on the mesh boundary.
   RegionOutlines(const TriangleMesh& mesh, const DistanceField& distances, NodePoints& nodePoints,
-                 std::span<const char> isTraced, BisectorGraph& graph);
+                 const IndexSet* labels, BisectorGraph& graph);
   /// True when all outlines are traced. A step traces whole rings, whatever their length.
   bool step(long& budget);
 
@@ -56,13 +57,13 @@ class RegionOutlines {
   void addRing(int label, Walk walk, long& budget);
   void collectOutline(int s);
   void sort();
-  bool isTraced(int label) const { return isTraced_.empty() || isTraced_[label]; }
+  bool isTraced(int label) const { return !labels_ || labels_->contains(label); }
   int vertexPoint(int vertex);
 
   const TriangleMesh& mesh_;
   const DistanceField& distances_;
   NodePoints& nodePoints_;
-  const std::span<const char> isTraced_;
+  const IndexSet* const labels_;
   BisectorGraph& graph_;
 
   SlicedSequence sequence_;
