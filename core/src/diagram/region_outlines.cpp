@@ -24,13 +24,17 @@ RegionOutlines::RegionOutlines(const TriangleMesh& mesh, const DistanceField& di
 
 bool RegionOutlines::step(long& budget) {
   const size_t darts = 2 * graph_.segments.size();
+  const auto boundaryLoops = mesh_.boundaryLoops();
   return sequence_.run(
       [&] {
         boundaryPoints_.order();
         points_.reserve(darts);
       },
       [&] { return fillInSlices(isVisited_, darts, '\0', budget); },
-      [&] { return traceRings(budget); }, [&] { return traceUnbrokenBoundaries(budget); },
+      forEach(darts, budget, kQuickRounds,
+              [&](int dart) { return isVisited_[dart] ? 1L : traceRing(dart); }),
+      forEach(boundaryLoops, budget, kQuickRounds,
+              [&](int loop) { return traceBoundary(boundaryLoops[loop]); }),
       [&] { return steps_.cancel(budget); },
       forEach(steps_, budget, kQuickRounds, [&](int s) { collectOutline(s); }), [&] { sort(); });
 }
@@ -66,18 +70,11 @@ int RegionOutlines::followBoundary(int point, int label, Visit visit) {
 
 // --- Rings ---------------------------------------------------------------------------------------
 
-bool RegionOutlines::traceRings(long& budget) {
-  const int count = static_cast<int>(isVisited_.size());
-  for (; nextDart_ < count; ++nextDart_) {
-    if (nextDart_ % kQuickRounds == 0) --budget;
-    if (budget < 0) return false;
-    if (isVisited_[nextDart_]) continue;
-    const int label = graph_.labelOf(nextDart_);
-    if (!isTraced(label)) continue;
-    addRing(
-        label, [&](auto visit) { walkRing(nextDart_, visit); }, budget);
-  }
-  return true;
+/// Adds the ring of a dart. Returns how many quick rounds it took.
+long RegionOutlines::traceRing(int dart) {
+  const int label = graph_.labelOf(dart);
+  if (!isTraced(label)) return 1;
+  return addRing(label, [&](auto visit) { walkRing(dart, visit); });
 }
 
 /// Calls visit(point, face, isOnBoundary) for each step of a ring: its first point and its face.
@@ -96,42 +93,30 @@ void RegionOutlines::walkRing(int start, Visit visit) {
   } while (dart != start);
 }
 
-/// Traces boundary loops that one region owns entirely; no dart leads to them.
-bool RegionOutlines::traceUnbrokenBoundaries(long& budget) {
-  const auto loops = mesh_.boundaryLoops();
-  for (; nextBoundary_ < static_cast<int>(loops.size()); ++nextBoundary_) {
-    if (budget <= 0) return false;
-    const int start = loops[nextBoundary_];
-    const int owner = nearestOf(distances_.at(mesh_.tail(start))).label;
-    if (owner >= 0 && isTraced(owner)) traceUnbroken(start, owner, budget);
-    --budget;
-  }
-  return true;
-}
-
-void RegionOutlines::traceUnbroken(int start, int owner, long& budget) {
+/// Adds a boundary loop if one region owns all of it: no dart leads to it. Returns how many quick
+/// rounds it took.
+long RegionOutlines::traceBoundary(int start) {
+  const int owner = nearestOf(distances_.at(mesh_.tail(start))).label;
+  if (owner < 0 || !isTraced(owner)) return 1;
   int h = start;
   long length = 0;
-  bool isBroken = false;
   do {
     ++length;
-    isBroken = boundaryPoints_.firstOn(h) >= 0;
+    if (boundaryPoints_.firstOn(h) >= 0) return length;
     h = mesh_.outgoing(mesh_.tip(h));
-  } while (!isBroken && h != start);
-  budget -= length / kQuickRounds;
-  if (isBroken) return;
-  const auto walk = [&](auto visit) {
-    do {
-      visit(vertexPoint(mesh_.tail(h)), TriangleMesh::faceOf(h), true);
-      h = mesh_.outgoing(mesh_.tip(h));
-    } while (h != start);
-  };
-  addRing(owner, walk, budget);
+  } while (h != start);
+  return length + addRing(owner, [&](auto visit) {
+           do {
+             visit(vertexPoint(mesh_.tail(h)), TriangleMesh::faceOf(h), true);
+             h = mesh_.outgoing(mesh_.tip(h));
+           } while (h != start);
+         });
 }
 
 /// Adds the ring that `walk` visits: as an outline if it has no merged points, otherwise as steps.
+/// Returns the number of its points.
 template <class Walk>
-void RegionOutlines::addRing(int label, Walk walk, long& budget) {
+long RegionOutlines::addRing(int label, Walk walk) {
   const int ring = ringCount_++, first = static_cast<int>(points_.size());
   bool hasMerged = false;
   walk([&](int point, int, bool) {
@@ -140,13 +125,13 @@ void RegionOutlines::addRing(int label, Walk walk, long& budget) {
     points_.push_back(root);
   });
   const int count = static_cast<int>(points_.size()) - first;
-  budget -= count / kQuickRounds;
-  if (!hasMerged) {
+  if (hasMerged) {
+    points_.resize(first);
+    steps_.addRing(label, ring, walk);
+  } else {
     outlines_.push_back({label, ring, first, count});
-    return;
   }
-  points_.resize(first);
-  steps_.addRing(label, ring, walk);
+  return count;
 }
 
 /// Makes an outline of the ring of a step, unless that has been done.

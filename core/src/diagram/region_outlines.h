@@ -46,15 +46,14 @@ class RegionOutlines {
     int first, count;  ///< in points_
   };
 
-  bool traceRings(long& budget);
+  long traceRing(int dart);
   template <class Visit>
   void walkRing(int start, Visit visit);
   template <class Visit>
   int followBoundary(int point, int label, Visit visit);
-  bool traceUnbrokenBoundaries(long& budget);
-  void traceUnbroken(int start, int owner, long& budget);
+  long traceBoundary(int start);
   template <class Walk>
-  void addRing(int label, Walk walk, long& budget);
+  long addRing(int label, Walk walk);
   void collectOutline(int s);
   void sort();
   bool isTraced(int label) const { return !labels_ || labels_->contains(label); }
@@ -68,7 +67,6 @@ class RegionOutlines {
 
   SlicedSequence sequence_;
   std::vector<char> isVisited_;  ///< per dart
-  int nextDart_ = 0, nextBoundary_ = 0;
   int ringCount_ = 0;
   BoundaryPoints boundaryPoints_;
   OutlineSteps steps_;  ///< of rings with merged points
