@@ -569,9 +569,10 @@ TEST(Diagram, InDetailAsksForAllLabelsThatAreNearestInAnElement) {
         // Every fourth is not known at the first corner.
         if (i > 0 || label % 4 > 0) known[i].push_back({label, distance(label, corners[i])});
     }
-    NearLabels nearLabels(ties);
+    std::vector<NearLabel> nearLabels;
+    findNearLabels({known[0], known[1], known[2]}, lengths, ties, nearLabels);
     std::set<int> near;
-    for (const auto& found : nearLabels.of({known[0], known[1], known[2]}, lengths)) {
+    for (const auto& found : nearLabels) {
       near.insert(found.label);
       EXPECT_EQ(found.isKnown, (std::array{found.label % 4 > 0, true, true}));
     }

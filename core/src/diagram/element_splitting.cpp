@@ -77,7 +77,7 @@ bool ElementSplitting::splitBatch(long& budget) {
 void ElementSplitting::addMiddles(int element) {
   const auto lengths = elements_.sideLengths(mesh_, element);
   const auto known = [&](int corner) { return nodes_.labels(node(element, corner)); };
-  const auto near = near_.of({known(0), known(1), known(2)}, lengths);
+  findNearLabels({known(0), known(1), known(2)}, lengths, ties_, near_);
   const Eigen::Matrix3d corners = elements_.cornersIn(element);
   std::array<int, 3>& middle = middles_.emplace_back();
   for (int i = 0; i < 3; ++i) {
@@ -87,7 +87,7 @@ void ElementSplitting::addMiddles(int element) {
     const int meshSide = elements_.meshHalfedge(3 * element + i);
     const bool isSlit = meshSide >= 0 && isSideOfSlit(mesh_, meshSide);
     const SurfacePoint p{elements_.face[element], (corners.col(i) + corners.col(next)) / 2};
-    for (const auto& [label, isKnown] : near)
+    for (const auto& [label, isKnown] : near_)
       if (isKnown[i] && isKnown[next] && (!isSlit || isKnown[cornerBefore(i)]))
         required_.add(middle[i], label, p);
   }

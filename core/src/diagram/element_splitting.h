@@ -24,10 +24,10 @@ class ElementSplitting {
                    const DistanceField& distances, double longestSide, Elements& elements,
                    NodeLabels& nodes)
       : mesh_(mesh),
+        ties_(ties),
         longestSide_(longestSide),
         elements_(elements),
         nodes_(nodes),
-        near_(ties),
         required_(distances, ties, nodes) {}
   bool step(long& budget);
   /// The number of elements, and of those that the current batch is about to become.
@@ -49,6 +49,7 @@ class ElementSplitting {
   int node(int element, int corner) const { return elements_.nodes(element)[corner]; }
 
   const TriangleMesh& mesh_;
+  const TieTolerance& ties_;
   const double longestSide_;
   Elements& elements_;
   NodeLabels& nodes_;
@@ -58,7 +59,7 @@ class ElementSplitting {
   std::vector<int> batch_;                   ///< elements to be split next
   std::vector<std::array<int, 3>> middles_;  ///< of the sides of each; -1: the side stays whole
   std::vector<int> nearSplit_;               ///< nodes noted as such
-  NearLabels near_;
+  std::vector<NearLabel> near_;              ///< of the current element
   RequiredLabels required_;
 };
 

@@ -26,9 +26,9 @@ double longestWay(int from, int to, const std::array<double, 3>& lengths) {
 
 }  // namespace
 
-std::span<const NearLabels::Label> NearLabels::of(
-    const std::array<std::span<const LabelledDistance>, 3>& known,
-    const std::array<double, 3>& lengths) {
+void findNearLabels(const std::array<std::span<const LabelledDistance>, 3>& known,
+                    const std::array<double, 3>& lengths, const TieTolerance& ties,
+                    std::vector<NearLabel>& near) {
   std::array<double, 3> nearest;  // of the labels known at all corners
   nearest.fill(kInfinity);
   visitLabels(known[0], known[1], known[2], [&](int /*label*/, const auto& at) {
@@ -40,20 +40,19 @@ std::span<const NearLabels::Label> NearLabels::of(
   for (int i = 0; i < 3; ++i) {
     most[i] = kInfinity;
     for (int j = 0; j < 3; ++j) most[i] = std::min(most[i], nearest[j] + longestWay(i, j, lengths));
-    most[i] = ties_.mostTying(most[i]);
+    most[i] = ties.mostTying(most[i]);
   }
-  near_.clear();
+  near.clear();
   visitLabels(known[0], known[1], known[2], [&](int label, const auto& at) {
-    Label found{label, {}};
+    NearLabel found{label, {}};
     bool isFar = false, isNearest = false;
     for (int i = 0; i < 3; ++i) {
       found.isKnown[i] = at[i];
       isFar |= at[i] && at[i]->distance > most[i];
       isNearest |= at[i] && at[i]->distance <= nearest[i];
     }
-    if (!isFar || isNearest) near_.push_back(found);
+    if (!isFar || isNearest) near.push_back(found);
   });
-  return near_;
 }
 
 }  // namespace gvd
