@@ -85,6 +85,13 @@ class SlicedSequence {
     int i = 0;
     return ((i++ < done_ || (isDone(parts) && ++done_ > 0)) && ...);
   }
+  /// The same for parts that are repeated: once all are done, the next call begins anew.
+  template <class... Parts>
+  bool runRound(Parts... parts) {
+    if (!run(parts...)) return false;
+    done_ = 0;
+    return true;
+  }
   /// The share of the parts that is done; 0 before the first call.
   double progress() const { return count_ > 0 ? static_cast<double>(done_) / count_ : 0; }
 

@@ -63,7 +63,7 @@ bool DiagramPieces::replace(const DiagramChange& change, long& budget) {
   const auto forAll = [&](const auto& list, auto visit) {
     return forEach(list, budget, kPiecesPerUnit, visit);
   };
-  const bool isDone = replacing_.run(
+  return replacing_.runRound(
       [&] {
         if (!change.labels.empty() && change.labels.back() >= static_cast<int>(regions_.size()))
           regions_.resize(change.labels.back() + 1);
@@ -94,8 +94,6 @@ bool DiagramPieces::replace(const DiagramChange& change, long& budget) {
         for (const int face : part.indifferentFaces) isIndifferent_[face] = true;
       },
       forAll(part.cells, [&](int i) { addCell(part, i); }));
-  if (isDone) replacing_ = {};
-  return isDone;
 }
 
 void DiagramPieces::removePiecesOf(int label) {

@@ -10,11 +10,9 @@ namespace gvd {
 
 /// Splits a batch and finds the next one, round after round.
 bool ElementSplitting::step(long& budget) {
-  while (round_.run([&] { return splitBatch(budget); },
-                    [&](SlicedLoop& loop) { return findBatch(loop, budget); })) {
-    round_ = {};
+  while (round_.runRound([&] { return splitBatch(budget); },
+                         [&](SlicedLoop& loop) { return findBatch(loop, budget); }))
     if (batch_.empty()) return true;
-  }
   return false;
 }
 
@@ -62,14 +60,13 @@ bool ElementSplitting::isUniform(int a, int b, int owner) const {
 
 bool ElementSplitting::splitBatch(long& budget) {
   const auto forBatch = [&](auto body) { return forEach(batch_, budget, 1, body); };
-  if (!split_.run(
-          forBatch([&](int i) { addMiddles(batch_[i]); }), [&] { return required_.find(budget); },
-          forBatch([&](int i) { split(batch_[i], middles_[i]); })))
-    return false;
-  split_ = {};
-  batch_.clear();
-  middles_.clear();
-  return true;
+  return split_.runRound(
+      forBatch([&](int i) { addMiddles(batch_[i]); }), [&] { return required_.find(budget); },
+      forBatch([&](int i) { split(batch_[i], middles_[i]); }),
+      [&] {
+        batch_.clear();
+        middles_.clear();
+      });
 }
 
 /// Adds the nodes in the middle of the sides to split. At each, requires the near labels that are

@@ -6,12 +6,9 @@ namespace gvd {
 bool MixedFaces::update(const IndexSet& labels, long& budget) {
   constexpr long kFacesPerUnit = 16;
   const std::vector<int>& changed = distances_.changedFaces().list();
-  if (!sequence_.run(
-          [&] { forgetChanged(labels); },
-          forEach(changed, budget, kFacesPerUnit, [&](int i) { note(changed[i], labels); })))
-    return false;
-  sequence_ = {};
-  return true;
+  return sequence_.runRound(
+      [&] { forgetChanged(labels); },
+      forEach(changed, budget, kFacesPerUnit, [&](int i) { note(changed[i], labels); }));
 }
 
 /// Removes the changed faces from the lists of the changed labels.

@@ -20,17 +20,17 @@ void RequiredLabels::add(int midpoint, int label, const SurfacePoint& p) {
 }
 
 bool RequiredLabels::find(long& budget) {
-  if (!sequence_.run([&] { finding_ = distances_.startDistancesAt(std::move(required_)); },
-                     [&] { return finding_->step(budget); }, [&] { found_ = finding_->take(); },
-                     forEach(midpoints_, budget, 1, [&](int i) { setLabels(midpoints_[i]); })))
-    return false;
-  sequence_ = {};
-  finding_.reset();
-  required_.clear();
-  labels_.clear();
-  previous_.clear();
-  midpoints_.clear();
-  return true;
+  return sequence_.runRound(
+      [&] { finding_ = distances_.startDistancesAt(std::move(required_)); },
+      [&] { return finding_->step(budget); }, [&] { found_ = finding_->take(); },
+      forEach(midpoints_, budget, 1, [&](int i) { setLabels(midpoints_[i]); }),
+      [&] {
+        finding_.reset();
+        required_.clear();
+        labels_.clear();
+        previous_.clear();
+        midpoints_.clear();
+      });
 }
 
 void RequiredLabels::setLabels(int midpoint) {

@@ -57,13 +57,12 @@ void BoundsLowering::startTurns() {
 bool BoundsLowering::spread(long& budget) {
   const std::vector<int>& bounded = change_.resetVertices;  // by paths along edges alone, at first
   do {
-    if (!round_.run(
+    if (!round_.runRound(
             [&] { return turns_.step(budget); }, [&] { hasSpread_ = true; },
             [&] { return lowerBy(goingOn_, budget); },
             forEach(bounded, budget, kQuickRounds, [&](int i) { return findMissed(bounded[i]); }),
             [&] { requireMissed(); }))
       return false;
-    round_ = {};
   } while (!turns_.isEmpty());
   return true;
 }

@@ -51,7 +51,7 @@ bool TriangleTree::makeNext(long& budget) {
   const auto [first, last, parent] = tasks_.back();
   const int count = last - first, begin = first;
   if (budget <= 0 ||
-      !making_.run(
+      !making_.runRound(
           [&] {
             box_.setEmpty();
             centres_.setEmpty();
@@ -71,7 +71,6 @@ bool TriangleTree::makeNext(long& budget) {
               std::swap(order_[begin + i], order_[middle_++]);
           })))
     return false;
-  making_ = {};
   tasks_.pop_back();
   const int node = static_cast<int>(nodes_.size());
   if (parent >= 0) nodes_[parent].second = node;

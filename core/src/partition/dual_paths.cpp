@@ -96,25 +96,24 @@ class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
   /// Makes the nearest places the crossings of their arcs. The distances at all places are
   /// requested at once.
   bool offerPlaces(long& budget) {
-    if (!round_.run([&] { points_.reserve(2 * places_.size()); },
-                    forEach(places_, budget, kPlacesPerUnit,
-                            [&](int i) {
-                              for (const int label : places_[i].segment->labels)
-                                points_.push_back({label, pointAt(places_[i])});
-                            }),
-                    [&] { atPoints_ = field_.startDistancesAt(std::move(points_)); },
-                    [&] { return atPoints_->step(budget); },
-                    [&] {
-                      distances_ = atPoints_->take();
-                      squaredSums_.clear();
-                      squaredSums_.reserve(places_.size());
-                    },
-                    forEach(places_, budget, kPlacesPerUnit, [&](int i) { offer(i); })))
-      return false;
-    round_ = {};
-    points_.clear();
-    places_.clear();
-    return true;
+    return round_.runRound([&] { points_.reserve(2 * places_.size()); },
+                           forEach(places_, budget, kPlacesPerUnit,
+                                   [&](int i) {
+                                     for (const int label : places_[i].segment->labels)
+                                       points_.push_back({label, pointAt(places_[i])});
+                                   }),
+                           [&] { atPoints_ = field_.startDistancesAt(std::move(points_)); },
+                           [&] { return atPoints_->step(budget); },
+                           [&] {
+                             distances_ = atPoints_->take();
+                             squaredSums_.clear();
+                             squaredSums_.reserve(places_.size());
+                           },
+                           forEach(places_, budget, kPlacesPerUnit, [&](int i) { offer(i); }),
+                           [&] {
+                             points_.clear();
+                             places_.clear();
+                           });
   }
 
   void offer(int place) {

@@ -252,9 +252,9 @@ class Repairing final : public SlicedWork<RepairedSites> {
       beginRound();
       return false;
     }
-    if (!round_.run([&] { return joining_->step(budget); }, [&] { startFinding(); },
-                    [&] { return find(budget); }, [&] { takeFound(); },
-                    [&] { return insert(budget); }))
+    if (!round_.runRound([&] { return joining_->step(budget); }, [&] { startFinding(); },
+                         [&] { return find(budget); }, [&] { takeFound(); },
+                         [&] { return insert(budget); }))
       return false;
     if (found_.empty()) return true;
     share_ = shareAfterRound();
@@ -273,7 +273,6 @@ class Repairing final : public SlicedWork<RepairedSites> {
   double shareAfterRound() const { return (1 + share_) / 2; }
 
   void beginRound() {
-    round_ = {};
     found_.clear();
     change_.reset();
     joining_ = dynamic_->startDiagram();

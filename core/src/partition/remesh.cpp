@@ -61,28 +61,27 @@ class Settling final : public SlicedWork<RepairedSites> {
       return false;
     }
     const bool isStepDone =
-        step_.run([&] { cvt_.emplace(mesh_, kept_.sites, optionsOfStep()); },
-                  [&] {
-                    cvt_->step(budget);
-                    return cvt_->isDone();
-                  },
-                  [&] { moved_ = stateOf(*cvt_, kept_.added); },
-                  [&] { return runPart(regions_, budget, mesh_, moved_.diagram); },
-                  [&] {
-                    return runPart(finding_, budget, mesh_, moved_.sites, moved_.diagram,
-                                   regions_->complex());
-                  },
-                  [&] {
-                    findings_ = finding_->takeFindings();
-                    finding_.reset();
-                  },
-                  [&] { return !findings_.empty() || measureAngle(moved_, budget); },
-                  [&] {
-                    judge();
-                    regions_.reset();
-                  });
+        step_.runRound([&] { cvt_.emplace(mesh_, kept_.sites, optionsOfStep()); },
+                       [&] {
+                         cvt_->step(budget);
+                         return cvt_->isDone();
+                       },
+                       [&] { moved_ = stateOf(*cvt_, kept_.added); },
+                       [&] { return runPart(regions_, budget, mesh_, moved_.diagram); },
+                       [&] {
+                         return runPart(finding_, budget, mesh_, moved_.sites, moved_.diagram,
+                                        regions_->complex());
+                       },
+                       [&] {
+                         findings_ = finding_->takeFindings();
+                         finding_.reset();
+                       },
+                       [&] { return !findings_.empty() || measureAngle(moved_, budget); },
+                       [&] {
+                         judge();
+                         regions_.reset();
+                       });
     if (!isStepDone) return false;
-    step_ = {};
     isOver_ = isOver_ || ++stepCount_ == kMostSettlings;
     return isOver_;
   }
@@ -104,16 +103,13 @@ class Settling final : public SlicedWork<RepairedSites> {
 
   /// Measures the least angle of the dual of sites whose regions are there.
   bool measureAngle(const RepairedSites& of, long budget) {
-    if (!measuring_.run(
-            [&] { return runPart(building_, budget, mesh_, of.sites, regions_->complex()); },
-            [&] {
-              dual_ = taken(building_);
-              quality_ = startTriangleQuality(dual_);
-            },
-            [&] { return quality_->step(budget); }))
-      return false;
-    measuring_ = {};
-    return true;
+    return measuring_.runRound(
+        [&] { return runPart(building_, budget, mesh_, of.sites, regions_->complex()); },
+        [&] {
+          dual_ = taken(building_);
+          quality_ = startTriangleQuality(dual_);
+        },
+        [&] { return quality_->step(budget); });
   }
 
   /// Keeps the moved sites if their dual is valid and better than the one before. The sites of
@@ -164,15 +160,14 @@ class Remeshing final : public SlicedWork<RepairedSites> {
 
   bool advance(long budget) override {
     if (settling_) return settling_->step(budget);
-    if (!round_.run([&] { return tessellate(budget); },
-                    [&] {
-                      sites_.assign(cvt_->sites().begin(), cvt_->sites().end());
-                      repairing_ = startRepair(mesh_, sites_, tessellation_.metric,
-                                               {.maxAdded = std::min(most_, left_)});
-                    },
-                    [&] { return repair(budget); }))
+    if (!round_.runRound([&] { return tessellate(budget); },
+                         [&] {
+                           sites_.assign(cvt_->sites().begin(), cvt_->sites().end());
+                           repairing_ = startRepair(mesh_, sites_, tessellation_.metric,
+                                                    {.maxAdded = std::min(most_, left_)});
+                         },
+                         [&] { return repair(budget); }))
       return false;
-    round_ = {};
     iterationShare_ = 0;
     if (isLastRound_ || ++roundCount_ == kMostRounds)
       settling_.emplace(mesh_, std::move(*kept_), last_, tessellation_);

@@ -118,14 +118,14 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
     if (nextVertex_ == 0) misses_ = 0;
     points_.push_back(p);
     sweep_.start(p);
-    spread_ = {};
     isSpreading_ = true;
   }
 
   bool spread(long& budget) {
     const auto& reached = sweep_.reached();
-    isSpreading_ = !spread_.run([&] { return sweep_.step(budget); },
-                                forEach(reached, budget, 4, [&](int i) { addDisk(reached[i]); }));
+    isSpreading_ =
+        !spread_.runRound([&] { return sweep_.step(budget); },
+                          forEach(reached, budget, 4, [&](int i) { addDisk(reached[i]); }));
     return !isSpreading_;
   }
 

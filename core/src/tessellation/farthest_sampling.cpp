@@ -59,7 +59,6 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
   void add(const SurfacePoint& point) {
     points_.push_back(point);
     sweep_.start(point);
-    spread_ = {};
   }
 
   bool isComplete() const { return static_cast<int>(points_.size()) == count_; }
@@ -74,9 +73,9 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
 
   bool addOthers(long& budget) {
     const auto& reached = sweep_.reached();
-    while (spread_.run([&] { return sweep_.step(budget); },
-                       forEach(reached, budget, 8, [&](int i) { takeDistance(reached[i]); }),
-                       [&] { return isComplete() || findFarthest(budget); })) {
+    while (spread_.runRound([&] { return sweep_.step(budget); },
+                            forEach(reached, budget, 8, [&](int i) { takeDistance(reached[i]); }),
+                            [&] { return isComplete() || findFarthest(budget); })) {
       if (isComplete()) return true;
       const auto [distance, negative] = queue_.top();
       if (!(distance > coveringRadius_)) return true;

@@ -18,18 +18,17 @@ VertexCovering::VertexCovering(const TriangleMesh& mesh, double radius, std::siz
       distances_(mesh, Metric::kExact, points) {}
 
 bool VertexCovering::step(long& budget) {
-  while (round_.run([&] { return distances_.step(budget); },
-                    [&] {
-                      farthest_ = -1;
-                      distance_ = radius_ * (1 + kDistanceTolerance);
-                    },
-                    forEach(mesh_.vertexCount(), budget, 8, [&](int v) { offer(v); }))) {
+  while (round_.runRound([&] { return distances_.step(budget); },
+                         [&] {
+                           farthest_ = -1;
+                           distance_ = radius_ * (1 + kDistanceTolerance);
+                         },
+                         forEach(mesh_.vertexCount(), budget, 8, [&](int v) { offer(v); }))) {
     if (farthest_ < 0 || points_.size() >= most_) return true;
     const SurfacePoint point = pointAtVertex(mesh_, farthest_);
     const std::array added = {SiteChange{static_cast<int>(points_.size()), point}};
     points_.push_back(point);
     distances_.change(added);
-    round_ = {};
   }
   return false;
 }

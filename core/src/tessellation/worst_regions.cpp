@@ -306,13 +306,12 @@ class WorstFirstSampling final : public SlicedWork<std::vector<SurfacePoint>> {
   /// One site per step at the most, as each part of a round may use up the budget.
   bool insertOthers(long budget) {
     if (isComplete()) return true;
-    if (round_.run([&] { return insertion_->step(budget); },
-                   [&] {
-                     change_ = insertion_->take();
-                     following_ = regions_->startFollow(change_);
-                   },
-                   [&] { return following_->step(budget); }, [&] { addPoint(); }))
-      round_ = {};
+    round_.runRound([&] { return insertion_->step(budget); },
+                    [&] {
+                      change_ = insertion_->take();
+                      following_ = regions_->startFollow(change_);
+                    },
+                    [&] { return following_->step(budget); }, [&] { addPoint(); });
     return isComplete();
   }
 

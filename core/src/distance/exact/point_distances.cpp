@@ -86,10 +86,8 @@ bool PointDistances::spread(long& budget) {
   if (!open_.empty() && !sweep_)
     sweep_ = spare_ ? std::move(spare_) : std::make_unique<WindowSweep>(mesh_, sites_, bounds_);
   if (sweep_ && !sweep_->prepare(budget)) return false;
-  for (; doneCount_ < open_.size(); ++label_) {
+  for (; doneCount_ < open_.size(); ++label_)
     if (!spreadOne(budget)) return false;
-    turn_ = {};
-  }
   return true;
 }
 
@@ -97,11 +95,8 @@ bool PointDistances::spread(long& budget) {
 bool PointDistances::spreadOne(long& budget) {
   const std::span<const int> open = byLabel_.items(label_);
   if (open.empty()) return true;
-  const auto forPoints = [&](auto body) {
-    return
-        [&, body](SlicedLoop& loop) { return loop.run(open.size(), budget, kPointsPerUnit, body); };
-  };
-  return turn_.run(
+  const auto forPoints = [&](auto body) { return forEach(open, budget, kPointsPerUnit, body); };
+  return turn_.runRound(
       [&] {
         state_ = {};
         required_.clear();
