@@ -37,7 +37,6 @@ class ClosestPointQuery {
   ClosestPoint closestTo(const Eigen::Vector3d& place) const;
 
  private:
-  class Building;
   friend std::unique_ptr<SlicedWork<ClosestPointQuery>> startClosestPointQuery(const TriangleMesh&);
   explicit ClosestPointQuery(std::unique_ptr<const TriangleTree> tree);
 

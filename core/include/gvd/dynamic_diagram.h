@@ -111,7 +111,6 @@ class DynamicDiagram {
 
  private:
   class Implementation;
-  class Opening;
   explicit DynamicDiagram(std::unique_ptr<Implementation> implementation);
   Implementation& whole() const;
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -123,6 +124,25 @@ class SequentialWork : public SlicedWork<Result> {
   SlicedSequence sequence_;
   Result out_;
 };
+
+/// Work that consists in one part, with `step` and `progress`: `finish` makes the result of it.
+template <class Part, class Finish>
+auto workOn(std::unique_ptr<Part> part, Finish finish) {
+  using Result = std::invoke_result_t<Finish&, std::unique_ptr<Part>>;
+  class WorkOnPart final : public SlicedWork<Result> {
+   public:
+    WorkOnPart(std::unique_ptr<Part> part, Finish finish)
+        : finish_(std::move(finish)), part_(std::move(part)) {}
+    bool advance(long budget) override { return part_->step(budget); }
+    double share() const override { return part_->progress(); }
+    Result result() override { return finish_(std::move(part_)); }
+
+   private:
+    Finish finish_;  // keeps what the part refers to, so it has to outlive the part
+    std::unique_ptr<Part> part_;
+  };
+  return std::unique_ptr<SlicedWork<Result>>(new WorkOnPart(std::move(part), std::move(finish)));
+}
 
 /// Works on a part, which is constructed from `arguments` in the first call; true when it is done.
 template <class Part, class... Arguments>

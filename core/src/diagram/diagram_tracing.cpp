@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/rejection.h"
+#include "base/sliced_loop.h"
 #include "diagram/arc_chaining.h"
 #include "diagram/bisector_tracing.h"
 #include "diagram/final_cells.h"
@@ -142,20 +143,6 @@ class FullTracing final : public SlicedWork<TracedDiagram> {
   Tracing tracing_;
 };
 
-/// Yields the diagram of a tracing without the rest.
-class DiagramOfTracing final : public SlicedWork<Diagram> {
- public:
-  explicit DiagramOfTracing(std::unique_ptr<SlicedWork<TracedDiagram>> tracing)
-      : tracing_(std::move(tracing)) {}
-
-  bool advance(long budget) override { return tracing_->step(budget); }
-  double share() const override { return tracing_->progress(); }
-  Diagram result() override { return tracing_->take().diagram; }
-
- private:
-  const std::unique_ptr<SlicedWork<TracedDiagram>> tracing_;
-};
-
 }  // namespace
 
 std::unique_ptr<SlicedWork<TracedDiagram>> startTracing(const TriangleMesh& mesh,
@@ -169,7 +156,8 @@ std::unique_ptr<SlicedWork<TracedDiagram>> startTracing(const TriangleMesh& mesh
 std::unique_ptr<SlicedWork<Diagram>> startDiagram(const TriangleMesh& mesh,
                                                   const DistanceField& distances, int siteCount,
                                                   const DiagramOptions& options) {
-  return std::make_unique<DiagramOfTracing>(startTracing(mesh, distances, siteCount, options));
+  return workOn(startTracing(mesh, distances, siteCount, options),
+                [](auto tracing) { return tracing->take().diagram; });
 }
 
 Diagram traceDiagram(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,

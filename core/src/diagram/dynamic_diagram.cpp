@@ -71,6 +71,10 @@ class DynamicDiagram::Implementation {
   }
 
   class Update;
+  /// Traces the diagram of sites whose distances are known or under way.
+  static std::unique_ptr<SlicedWork<DynamicDiagram>> open(const TriangleMesh& mesh,
+                                                          std::shared_ptr<SiteDistances> distances,
+                                                          const DiagramOptions& options);
   /// Begins a change of some labels, each named once.
   std::unique_ptr<SlicedWork<DiagramChange>> start(std::span<const SiteChange> changes);
   std::unique_ptr<SlicedWork<DiagramChange>> start(const SiteChange& change) {
@@ -243,25 +247,16 @@ std::unique_ptr<SlicedWork<DiagramChange>> DynamicDiagram::Implementation::start
 
 // --- Making one --------------------------------------------------------------------------------
 
-/// Traces the diagram of sites whose distances are known or under way.
-class DynamicDiagram::Opening final : public SlicedWork<DynamicDiagram> {
- public:
-  Opening(const TriangleMesh& mesh, std::shared_ptr<SiteDistances> distances,
-          const DiagramOptions& options)
-      : implementation_(std::make_unique<Implementation>(mesh, std::move(distances), options)),
-        update_(*implementation_, true) {}
-
-  bool advance(long budget) override { return update_.step(budget); }
-  double share() const override { return update_.progress(); }
-  DynamicDiagram result() override {
-    implementation_->takeDistances();
-    return DynamicDiagram(std::move(implementation_));
-  }
-
- private:
-  std::unique_ptr<Implementation> implementation_;
-  Implementation::Update update_;
-};
+std::unique_ptr<SlicedWork<DynamicDiagram>> DynamicDiagram::Implementation::open(
+    const TriangleMesh& mesh, std::shared_ptr<SiteDistances> distances,
+    const DiagramOptions& options) {
+  auto diagram = std::make_unique<Implementation>(mesh, std::move(distances), options);
+  auto update = std::make_unique<Update>(*diagram, true);
+  return workOn(std::move(update), [diagram = std::move(diagram)](auto /*update*/) mutable {
+    diagram->takeDistances();
+    return DynamicDiagram(std::move(diagram));
+  });
+}
 
 DynamicDiagram::DynamicDiagram(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
                                Metric metric, const DiagramOptions& options)
@@ -279,8 +274,7 @@ DynamicDiagram::DynamicDiagram(std::unique_ptr<Implementation> implementation)
 std::unique_ptr<SlicedWork<DynamicDiagram>> DynamicDiagram::start(
     const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric,
     const DiagramOptions& options) {
-  return std::make_unique<Opening>(mesh, std::make_shared<SiteDistances>(mesh, metric, sites),
-                                   options);
+  return Implementation::open(mesh, std::make_shared<SiteDistances>(mesh, metric, sites), options);
 }
 
 DynamicDiagram DynamicDiagram::fromDistances(const TriangleMesh& mesh,
@@ -292,7 +286,7 @@ DynamicDiagram DynamicDiagram::fromDistances(const TriangleMesh& mesh,
 std::unique_ptr<SlicedWork<DynamicDiagram>> DynamicDiagram::startFromDistances(
     const TriangleMesh& mesh, const std::shared_ptr<DistanceField>& distances,
     const DiagramOptions& options) {
-  return std::make_unique<Opening>(mesh, asSiteDistances(mesh, distances), options);
+  return Implementation::open(mesh, asSiteDistances(mesh, distances), options);
 }
 
 DynamicDiagram::~DynamicDiagram() = default;

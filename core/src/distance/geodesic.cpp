@@ -4,35 +4,21 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/sliced_loop.h"
 #include "distance/path_points.h"
 #include "distance/site_distances.h"
 #include "gvd/error.h"
 #include "mesh/given_points.h"
 
 namespace gvd {
-namespace {
-
-class SitePropagation final : public Propagation {
- public:
-  SitePropagation(const TriangleMesh& mesh, std::span<const SurfacePoint> sites, Metric metric)
-      : distances_(std::make_unique<SiteDistances>(mesh, metric, sites)) {}
-
-  bool advance(long budget) override { return distances_->step(budget); }
-  double share() const override { return distances_->progress(); }
-  std::unique_ptr<DistanceField> result() override { return std::move(distances_); }
-
- private:
-  std::unique_ptr<SiteDistances> distances_;
-};
-
-}  // namespace
 
 std::unique_ptr<Propagation> propagate(const TriangleMesh& mesh,
                                        std::span<const SurfacePoint> sites, Metric metric) {
   const auto isAbsent = [](const SurfacePoint& site) { return site.face == -1; };
   if (std::all_of(sites.begin(), sites.end(), isAbsent))
     throw Error(ErrorCode::kInvalidArgument, "there is no site");
-  return std::make_unique<SitePropagation>(mesh, sites, metric);
+  return workOn(std::make_unique<SiteDistances>(mesh, metric, sites),
+                [](auto distances) -> std::unique_ptr<DistanceField> { return distances; });
 }
 
 double lengthOf(const TriangleMesh& mesh, std::span<const SurfacePoint> path) {

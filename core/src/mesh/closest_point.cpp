@@ -7,23 +7,14 @@
 #include <utility>
 
 #include "base/rejection.h"
+#include "base/sliced_loop.h"
 #include "mesh/triangle_tree.h"
 
 namespace gvd {
 
-class ClosestPointQuery::Building final : public SlicedWork<ClosestPointQuery> {
- public:
-  explicit Building(const TriangleMesh& mesh) : tree_(std::make_unique<TriangleTree>(mesh)) {}
-  bool advance(long budget) override { return tree_->step(budget); }
-  double share() const override { return tree_->progress(); }
-  ClosestPointQuery result() override { return ClosestPointQuery(std::move(tree_)); }
-
- private:
-  std::unique_ptr<TriangleTree> tree_;
-};
-
 std::unique_ptr<SlicedWork<ClosestPointQuery>> startClosestPointQuery(const TriangleMesh& mesh) {
-  return std::make_unique<ClosestPointQuery::Building>(mesh);
+  return workOn(std::make_unique<TriangleTree>(mesh),
+                [](auto tree) { return ClosestPointQuery(std::move(tree)); });
 }
 
 ClosestPointQuery::ClosestPointQuery(const TriangleMesh& mesh)
