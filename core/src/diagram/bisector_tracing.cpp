@@ -129,14 +129,14 @@ void BisectorTracing::addSegment(int element, const FaceEnvelope::Segment& added
   const int segment = static_cast<int>(graph_.segments.size()), dart = 2 * segment;
   graph_.addSegment(from, to, left, right, complex_.face(element));
   if (graph_.isInner(from)) {
-    leave(from, left, dart);
-    arrive(from, right, dart + 1);
+    join(from, left, dart, true);
+    join(from, right, dart + 1, false);
   } else if (const int before = segmentAcross(from, segment); before >= 0) {
     link(before, segment);
   }
   if (graph_.isInner(to)) {
-    arrive(to, left, dart);
-    leave(to, right, dart + 1);
+    join(to, left, dart, false);
+    join(to, right, dart + 1, true);
   } else if (const int after = segmentAcross(to, segment); after >= 0) {
     link(segment, after);
   }
@@ -144,22 +144,14 @@ void BisectorTracing::addSegment(int element, const FaceEnvelope::Segment& added
     graph_.unite(from, to);
 }
 
-/// Notes that a dart of a region leaves an inner point, and links the dart that arrives there, once
-/// both are known.
-void BisectorTracing::leave(int point, int label, int dart) {
+/// Notes a dart of a region that leaves an inner point or arrives there. Once both are known, the
+/// one that leaves is the next of the other.
+void BisectorTracing::join(int point, int label, int dart, bool leaves) {
   int& other = graph_.innerDart(point, label);
   if (other < 0)
     other = dart;
   else
-    graph_.nextDart[other] = dart;
-}
-
-void BisectorTracing::arrive(int point, int label, int dart) {
-  int& other = graph_.innerDart(point, label);
-  if (other < 0)
-    other = dart;
-  else
-    graph_.nextDart[dart] = other;
+    graph_.nextDart[leaves ? other : dart] = leaves ? dart : other;
 }
 
 /// The segment across the side where a new one ends, -1 if there is none yet.

@@ -39,8 +39,7 @@ class BisectorTracing {
   void addUnmatchedSide(int element, int side, int vertex);
   void addBoundaryPoint(int h, int vertex);
   void addSegment(int element, const FaceEnvelope::Segment& added);
-  void leave(int point, int label, int dart);
-  void arrive(int point, int label, int dart);
+  void join(int point, int label, int dart, bool leaves);
   int segmentAcross(int point, int added);
   void link(int first, int second);
   bool mayBeOne(int tail, int tip);

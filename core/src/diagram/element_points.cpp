@@ -65,9 +65,8 @@ ElementPoints::ElementPoints(const FaceComplex& complex, NodePoints& nodePoints,
     : mesh_(complex.mesh()), complex_(complex), nodePoints_(nodePoints), graph_(graph) {}
 
 bool ElementPoints::prepare(long& budget) {
-  return sequence_.run(
-      [&] { return nodePoints_.resize(complex_.nodes().count(), budget); },
-      [&] { return fillInSlices(firstPoint_, complex_.elementCount(), -1, budget); });
+  return nodePoints_.resize(complex_.nodes().count(), budget) &&
+         fillInSlices(firstPoint_, complex_.elementCount(), -1, budget);
 }
 
 std::span<const ElementPoints::PlacedVertex> ElementPoints::of(int element,

@@ -54,7 +54,6 @@ class ElementPoints {
   NodePoints& nodePoints_;
   BisectorGraph& graph_;
 
-  SlicedSequence sequence_;
   /// Per element, the first point in the list of those on its sides (`Point::side`), -1 for none.
   std::vector<int> firstPoint_;
   // Of the current element.
