@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
+
 #include "base/grouping.h"
 #include "base/sliced_loop.h"
 #include "diagram/bisector_graph.h"
@@ -22,23 +24,16 @@ class FinalCells {
   bool step(long& budget);
 
  private:
-  bool putInOrder(long& budget);
-  void copyCell(int cell);
-  bool collect(long& budget);
-  void collectFace();
-  void addFinalPoints(int cell, int begin, int end);
-  bool isRegionTriangle(int firstCell, int firstPoint) const;
+  void addFace(std::span<const int> cells);
+  void addCell(int cell);
+  bool isRegionTriangle(size_t firstCell, size_t firstPoint) const;
 
   const FaceComplex& complex_;
   BisectorGraph& graph_;
   FinalPoints& points_;
   Diagram& out_;
-  SlicedSequence sequence_, order_;
-  Grouping byFace_;  ///< cells, where they are not in order
-  // `out_.cells` is compacted in one pass: the positions read from and written to; the former is
-  // ahead.
-  int read_ = 0, readBegin_ = 0;
-  int written_ = 0, pointsWritten_ = 0;
+  SlicedSequence sequence_;
+  Grouping byFace_;  ///< cells
 };
 
 }  // namespace gvd
