@@ -46,6 +46,8 @@ struct BisectorGraph {
     int before, after;
   };
 
+  static constexpr int kNoDart = -1;
+
   std::vector<Point> points;
   std::vector<SurfacePoint> places;  ///< per point
   std::vector<InnerPoint> inner;
@@ -53,7 +55,9 @@ struct BisectorGraph {
   std::vector<int> mergedFaces;  ///< faces with merged points, with repetitions
 
   std::vector<Diagram::Segment> segments;  ///< between points of the graph, without arcs
-  std::vector<int> nextDart;  ///< next of the region; -1 where a dart ends at the mesh boundary
+  /// Next of the region; `kNoDart` where a dart ends at the mesh boundary. There `RegionOutlines`
+  /// names the boundary point instead, by a lower number.
+  std::vector<int> nextDart;
   std::vector<BoundaryPoint> boundary;
 
   /// The cells of mixed faces, in the order of elements, with points of the graph.
@@ -147,8 +151,8 @@ inline void BisectorGraph::addSegment(int from, int to, int left, int right, int
   segment.labels[1] = right;
   segment.face = face;
   segment.arc = -1;
-  nextDart.push_back(-1);
-  nextDart.push_back(-1);
+  nextDart.push_back(kNoDart);
+  nextDart.push_back(kNoDart);
 }
 
 }  // namespace gvd

@@ -7,10 +7,35 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/grouping.h"
 #include "base/sorting.h"
 #include "mesh/incidence.h"
 
 namespace gvd {
+namespace {
+
+using BoundaryPoint = BisectorGraph::BoundaryPoint;
+
+/// The next of a dart that arrives at the first boundary point. One less is at the second, and so
+/// on.
+constexpr int kFirstBoundaryPoint = -2;
+
+/// Puts boundary points at one place in the order of the exact graph, which rounding may have
+/// reversed in their coordinates: the region before a point is the region after the previous one.
+void chain(std::span<BoundaryPoint> points) {
+  const auto isFirst = [&](const BoundaryPoint& p) {
+    return std::none_of(points.begin(), points.end(),
+                        [&](const BoundaryPoint& other) { return other.after == p.before; });
+  };
+  std::iter_swap(points.begin(), std::find_if(points.begin(), points.end(), isFirst));
+  for (size_t i = 1; i < points.size(); ++i)
+    std::iter_swap(points.begin() + i,
+                   std::find_if(points.begin() + i, points.end(), [&](const BoundaryPoint& p) {
+                     return p.before == points[i - 1].after;
+                   }));
+}
+
+}  // namespace
 
 RegionOutlines::RegionOutlines(const TriangleMesh& mesh, const DistanceField& distances,
                                NodePoints& nodePoints, const IndexSet* labels, BisectorGraph& graph)
@@ -19,7 +44,6 @@ RegionOutlines::RegionOutlines(const TriangleMesh& mesh, const DistanceField& di
       nodePoints_(nodePoints),
       labels_(labels),
       graph_(graph),
-      boundaryPoints_(graph),
       steps_(graph) {}
 
 bool RegionOutlines::step(long& budget) {
@@ -27,7 +51,7 @@ bool RegionOutlines::step(long& budget) {
   const auto boundaryLoops = mesh_.boundaryLoops();
   return sequence_.run(
       [&] {
-        boundaryPoints_.order();
+        orderBoundary();
         points_.reserve(darts);
       },
       [&] { return fillInSlices(isVisited_, darts, '\0', budget); },
@@ -48,22 +72,46 @@ int RegionOutlines::vertexPoint(int vertex) {
   });
 }
 
-/// Follows the mesh boundary forward from the point where a region reaches it to the next point
-/// where the region leaves it. Returns the dart that leaves.
+/// Puts the boundary points of the graph in order along their halfedges, and makes each the next of
+/// the dart that arrives there.
+void RegionOutlines::orderBoundary() {
+  const std::span boundary(graph_.boundary);
+  const auto part = [](const BoundaryPoint& b) { return std::pair(b.halfedge, b.start); };
+  sortStably(boundary, [&](const auto& a, const auto& b) { return part(a) < part(b); });
+  forEachRun(
+      boundary, [&](const auto& a, const auto& b) { return part(a) == part(b); }, chain);
+  for (int i = 0; i < static_cast<int>(boundary.size()); ++i)
+    if (const int dart = graph_.dartAt(boundary[i].point, boundary[i].after); dart >= 0)
+      graph_.nextDart[dart] = kFirstBoundaryPoint - i;
+}
+
+/// The index of the first boundary point on a halfedge or on a later one.
+int RegionOutlines::firstFrom(int halfedge) const {
+  const auto first =
+      std::lower_bound(graph_.boundary.begin(), graph_.boundary.end(), halfedge,
+                       [](const BoundaryPoint& b, int wanted) { return b.halfedge < wanted; });
+  return static_cast<int>(first - graph_.boundary.begin());
+}
+
+bool RegionOutlines::isOn(int boundaryPoint, int halfedge) const {
+  return boundaryPoint < static_cast<int>(graph_.boundary.size()) &&
+         graph_.boundary[boundaryPoint].halfedge == halfedge;
+}
+
+/// Follows the mesh boundary forward from a boundary point where a region reaches it to the next
+/// one, where the region leaves it. Returns the dart that leaves.
 template <class Visit>
-int RegionOutlines::followBoundary(int point, int label, Visit visit) {
+int RegionOutlines::followBoundary(int start, int label, Visit visit) {
   const auto& boundary = graph_.boundary;
-  const int start = boundaryPoints_.indexOf(point);
-  int halfedge = boundary[start].halfedge;
-  visit(point, TriangleMesh::faceOf(halfedge), true);
-  int index = boundaryPoints_.nextOnHalfedge(start);
-  while (index < 0) {
+  int halfedge = boundary[start].halfedge, next = start + 1;
+  visit(boundary[start].point, TriangleMesh::faceOf(halfedge), true);
+  while (!isOn(next, halfedge)) {
     const int vertex = mesh_.tip(halfedge);
     halfedge = mesh_.outgoing(vertex);
     visit(vertexPoint(vertex), TriangleMesh::faceOf(halfedge), true);
-    index = boundaryPoints_.firstOn(halfedge);
+    next = firstFrom(halfedge);
   }
-  const int dart = graph_.dartAt(boundary[index].point, label);
+  const int dart = graph_.dartAt(boundary[next].point, label);
   if (dart < 0) throw std::logic_error("a region's outline ends at the boundary of the mesh");
   return dart;
 }
@@ -89,7 +137,9 @@ void RegionOutlines::walkRing(int start, Visit visit) {
     isVisited_[dart] = true;
     visit(graph_.tail(dart), graph_.segments[dart >> 1].face, false);
     const int next = graph_.nextDart[dart];
-    dart = next >= 0 ? next : followBoundary(graph_.tip(dart), label, visit);
+    if (next == BisectorGraph::kNoDart)
+      throw std::logic_error("a region's outline ends inside the mesh");
+    dart = next >= 0 ? next : followBoundary(kFirstBoundaryPoint - next, label, visit);
   } while (dart != start);
 }
 
@@ -102,7 +152,7 @@ long RegionOutlines::traceBoundary(int start) {
   long length = 0;
   do {
     ++length;
-    if (boundaryPoints_.firstOn(h) >= 0) return length;
+    if (isOn(firstFrom(h), h)) return length;
     h = mesh_.outgoing(mesh_.tip(h));
   } while (h != start);
   return length + addRing(owner, [&](auto visit) {

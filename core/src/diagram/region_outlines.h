@@ -7,7 +7,6 @@
 #include "base/index_set.h"
 #include "base/sliced_loop.h"
 #include "diagram/bisector_graph.h"
-#include "diagram/boundary_points.h"
 #include "diagram/outline_steps.h"
 #include "gvd/geodesic.h"
 #include "gvd/triangle_mesh.h"
@@ -49,8 +48,11 @@ class RegionOutlines {
   long traceRing(int dart);
   template <class Visit>
   void walkRing(int start, Visit visit);
+  void orderBoundary();
+  int firstFrom(int halfedge) const;
+  bool isOn(int boundaryPoint, int halfedge) const;
   template <class Visit>
-  int followBoundary(int point, int label, Visit visit);
+  int followBoundary(int start, int label, Visit visit);
   long traceBoundary(int start);
   template <class Walk>
   long addRing(int label, Walk walk);
@@ -68,7 +70,6 @@ class RegionOutlines {
   SlicedSequence sequence_;
   std::vector<char> isVisited_;  ///< per dart
   int ringCount_ = 0;
-  BoundaryPoints boundaryPoints_;
   OutlineSteps steps_;  ///< of rings with merged points
   std::vector<Outline> outlines_;
   std::vector<int> points_;
