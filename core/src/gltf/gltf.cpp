@@ -51,7 +51,7 @@ class SceneReading final : public SlicedWork<GltfScene> {
       : bytes_(bytes), resources_(resources), limits_(limits) {}
 
   bool advance(long budget) override {
-    return sequence_.run([&] { parse(); }, [&] { measure(); },
+    return sequence_.run([&] { parse(); }, [&] { addUpSizes(); },
                          [&] { return addPrimitives(budget); }, [&] { finish(); });
   }
   double share() const override {
@@ -74,12 +74,12 @@ class SceneReading final : public SlicedWork<GltfScene> {
   }
 
   /// Adds up the size of the scene; throws if it exceeds a limit, before anything is read.
-  void measure() {
+  void addUpSizes() {
     meshes_ = placedMeshes(document_, *accessors_, limits_);
     PrimitiveSize size;
     for (const PlacedMesh& at : meshes_) {
       const int count = static_cast<int>(document_.meshes[at.mesh].primitives.size());
-      for (int i = 0; i < count; ++i) measure({&at, i}, size);
+      for (int i = 0; i < count; ++i) addSize({&at, i}, size);
       skins_ += at.node >= 0 && document_.nodes[at.node].isSkinned;
     }
     scene_.positions.reserve(3 * (size.vertices - size.countedAgain));
@@ -87,7 +87,7 @@ class SceneReading final : public SlicedWork<GltfScene> {
   }
 
   /// Adds the size of a primitive to that of the scene.
-  void measure(const Placed& placed, PrimitiveSize& size) {
+  void addSize(const Placed& placed, PrimitiveSize& size) {
     const Primitive& primitive = primitiveOf(placed);
     const std::string name = nameOf(placed);
     const PrimitiveKind kind = kindOf(primitive, name);
