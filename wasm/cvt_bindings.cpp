@@ -85,10 +85,10 @@ GVD_ABI Answer* advanceCvt(CvtHandle* cvt) {
 }
 
 /// The diagram of the last iteration as an object.
-GVD_ABI VoronoiHandle* cvtVoronoi(const CvtHandle* handle) {
+GVD_ABI DiagramHandle* cvtVoronoi(const CvtHandle* handle) {
   return guarded([&] {
     const Cvt& cvt = *handle->cvt;
-    auto voronoi = std::make_unique<VoronoiHandle>();
+    auto voronoi = std::make_unique<DiagramHandle>();
     voronoi->surface = handle->surface;
     voronoi->sites.assign(cvt.sites().begin(), cvt.sites().end());
     voronoi->metric = handle->metric;

@@ -83,7 +83,7 @@ class VertexDistances final : public PointLookup {
 class VoronoiMaking final : public SlicedWork<Record> {
  public:
   /// Takes a handle with a mesh, sites, metric and options.
-  explicit VoronoiMaking(std::unique_ptr<VoronoiHandle> voronoi)
+  explicit VoronoiMaking(std::unique_ptr<DiagramHandle> voronoi)
       : voronoi_(std::move(voronoi)),
         propagation_(propagate(voronoi_->mesh(), voronoi_->sites, voronoi_->metric)) {}
 
@@ -106,7 +106,7 @@ class VoronoiMaking final : public SlicedWork<Record> {
   }
 
  private:
-  std::unique_ptr<VoronoiHandle> voronoi_;  // outlives the work on it
+  std::unique_ptr<DiagramHandle> voronoi_;  // outlives the work on it
   const std::unique_ptr<Propagation> propagation_;
   std::unique_ptr<SlicedWork<Diagram>> tracing_;
 };
@@ -115,7 +115,7 @@ class VoronoiMaking final : public SlicedWork<Record> {
 class LocatedPoints final : public PointLookup {
  public:
   /// The diagram must outlive the steps.
-  LocatedPoints(const VoronoiHandle& voronoi, std::span<const int> face,
+  LocatedPoints(const DiagramHandle& voronoi, std::span<const int> face,
                 std::span<const double> bary)
       : PointLookup(face.size()),
         voronoi_(voronoi),
@@ -138,7 +138,7 @@ class LocatedPoints final : public PointLookup {
     distance_.push_back(nearest.distance);
   }
 
-  const VoronoiHandle& voronoi_;
+  const DiagramHandle& voronoi_;
   const std::vector<int> face_;
   const std::vector<double> bary_;
   std::vector<int> label_;
@@ -151,7 +151,7 @@ class SiteChanging final : public SlicedWork<Record> {
  public:
   /// Without a label, inserts the site; without a site, removes that of the label. The diagram must
   /// outlive the steps.
-  SiteChanging(VoronoiHandle& voronoi, std::optional<int> label, std::optional<SurfacePoint> site)
+  SiteChanging(DiagramHandle& voronoi, std::optional<int> label, std::optional<SurfacePoint> site)
       : voronoi_(voronoi), label_(label), site_(std::move(site)) {}
 
   bool advance(long budget) override {
@@ -200,7 +200,7 @@ class SiteChanging final : public SlicedWork<Record> {
     }
   }
 
-  VoronoiHandle& voronoi_;
+  DiagramHandle& voronoi_;
   std::optional<int> label_;
   const std::optional<SurfacePoint> site_;
   std::unique_ptr<SlicedWork<DynamicDiagram>> making_;
@@ -212,18 +212,18 @@ class SiteChanging final : public SlicedWork<Record> {
   std::unique_ptr<SlicedSteps> following_;
 };
 
-Answer* changeAnswer(VoronoiHandle& voronoi, std::optional<int> label,
+Answer* changeAnswer(DiagramHandle& voronoi, std::optional<int> label,
                      std::optional<SurfacePoint> site) {
   return answerOf(std::make_unique<SiteChanging>(voronoi, label, std::move(site)));
 }
 
 }  // namespace
 
-/// `voronoi`: a `VoronoiHandle`.
+/// `voronoi`: a `DiagramHandle`.
 GVD_ABI Answer* createVoronoi(const MeshHandle* handle, Ints face, Doubles bary, Text metric,
                               int detail) {
   return guarded([&] {
-    auto voronoi = std::make_unique<VoronoiHandle>();
+    auto voronoi = std::make_unique<DiagramHandle>();
     voronoi->surface = *handle;
     voronoi->sites = sitesFromInput(voronoi->mesh(), face, bary);
     voronoi->metric = metricOf(metric);
@@ -232,10 +232,10 @@ GVD_ABI Answer* createVoronoi(const MeshHandle* handle, Ints face, Doubles bary,
   });
 }
 
-GVD_ABI void freeVoronoi(VoronoiHandle* voronoi) { delete voronoi; }
+GVD_ABI void freeVoronoi(DiagramHandle* voronoi) { delete voronoi; }
 
 /// The mesh that a diagram is on: the diagram's own handle of it, freed with it.
-GVD_ABI MeshHandle* meshOfVoronoi(VoronoiHandle* voronoi) { return &voronoi->surface; }
+GVD_ABI MeshHandle* meshOfVoronoi(DiagramHandle* voronoi) { return &voronoi->surface; }
 
 /// `VertexDistances` of sites, without a diagram.
 GVD_ABI Answer* distancesAtVertices(const MeshHandle* handle, Ints face, Doubles bary,
@@ -247,7 +247,7 @@ GVD_ABI Answer* distancesAtVertices(const MeshHandle* handle, Ints face, Doubles
 }
 
 /// `SurfacePath` from a point to its nearest site; no points and infinity if no site reaches it.
-GVD_ABI Answer* pathToSite(const VoronoiHandle* voronoi, Ints face, Doubles bary) {
+GVD_ABI Answer* pathToSite(const DiagramHandle* voronoi, Ints face, Doubles bary) {
   return answer([&] {
     const TriangleMesh& mesh = voronoi->mesh();
     const DistanceField& field = voronoi->field();
@@ -258,28 +258,28 @@ GVD_ABI Answer* pathToSite(const VoronoiHandle* voronoi, Ints face, Doubles bary
 }
 
 /// `DiagramData`.
-GVD_ABI Answer* voronoiDiagram(VoronoiHandle* voronoi) {
+GVD_ABI Answer* voronoiDiagram(DiagramHandle* voronoi) {
   return answerOn(voronoi, diagramRecording);
 }
 
 /// `DiagramChange`. Nothing else may be asked of the diagram until it is done.
-GVD_ABI Answer* insertSite(VoronoiHandle* voronoi, Ints face, Doubles bary) {
+GVD_ABI Answer* insertSite(DiagramHandle* voronoi, Ints face, Doubles bary) {
   return guarded([&] {
     return changeAnswer(*voronoi, std::nullopt, pointFromInput(voronoi->mesh(), face, bary));
   });
 }
 
-GVD_ABI Answer* moveSite(VoronoiHandle* voronoi, int label, Ints face, Doubles bary) {
+GVD_ABI Answer* moveSite(DiagramHandle* voronoi, int label, Ints face, Doubles bary) {
   return guarded(
       [&] { return changeAnswer(*voronoi, label, pointFromInput(voronoi->mesh(), face, bary)); });
 }
 
-GVD_ABI Answer* removeSite(VoronoiHandle* voronoi, int label) {
+GVD_ABI Answer* removeSite(DiagramHandle* voronoi, int label) {
   return guarded([&] { return changeAnswer(*voronoi, label, std::nullopt); });
 }
 
 /// `SurfacePoints`: one, for the worst region.
-GVD_ABI Answer* worstRegionPoint(VoronoiHandle* voronoi, Text worst) {
+GVD_ABI Answer* worstRegionPoint(DiagramHandle* voronoi, Text worst) {
   return guarded([&] {
     const WorstRegion kind = worstRegionOf(worst);
     const auto point = [voronoi] {
@@ -298,7 +298,7 @@ GVD_ABI Answer* worstRegionPoint(VoronoiHandle* voronoi, Text worst) {
 }
 
 /// `DiagramAccuracy`.
-GVD_ABI Answer* diagramAccuracy(VoronoiHandle* voronoi, int samples) {
+GVD_ABI Answer* diagramAccuracy(DiagramHandle* voronoi, int samples) {
   return answerOn(voronoi, [=](const DiagramOnMesh& on) {
     return recording(startAccuracy(*on.mesh, voronoi->field(), *on.diagram, samples),
                      [on](const DiagramAccuracy& accuracy) {
@@ -311,7 +311,7 @@ GVD_ABI Answer* diagramAccuracy(VoronoiHandle* voronoi, int samples) {
 }
 
 /// `Located`.
-GVD_ABI Answer* locate(const VoronoiHandle* voronoi, Ints face, Doubles bary) {
+GVD_ABI Answer* locate(const DiagramHandle* voronoi, Ints face, Doubles bary) {
   return guarded([&] {
     return answerOf(std::make_unique<LocatedPoints>(*voronoi, face.span(), bary.span()));
   });

@@ -51,20 +51,20 @@ bool DiagramWork::join(long budget) {
   return true;
 }
 
-std::vector<SurfacePoint> VoronoiHandle::sitesByLabel() const {
+std::vector<SurfacePoint> DiagramHandle::sitesByLabel() const {
   if (!dynamic) return sites;
   std::vector<SurfacePoint> all = dynamic->sites();
   while (!all.empty() && all.back().face < 0) all.pop_back();
   return all;
 }
 
-std::unique_ptr<SlicedWork<DynamicDiagram>> VoronoiHandle::startDynamic() const {
+std::unique_ptr<SlicedWork<DynamicDiagram>> DiagramHandle::startDynamic() const {
   return distances ? DynamicDiagram::startFromDistances(mesh(), distances, options)
                    : DynamicDiagram::start(mesh(), sites, metric, options);
 }
 
 /// Only now the former state is given up, because making the new one may have thrown.
-void VoronoiHandle::takeDynamic(DynamicDiagram made) {
+void DiagramHandle::takeDynamic(DynamicDiagram made) {
   dynamic = std::make_unique<DynamicDiagram>(std::move(made));
   worstRegions.reset();  // of the former distances
   distances.reset();

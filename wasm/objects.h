@@ -35,7 +35,7 @@ struct MeshHandle {
 };
 
 /// A diagram of sites, which may change.
-struct VoronoiHandle {
+struct DiagramHandle {
   MeshHandle surface;
   std::vector<SurfacePoint> sites;
   Metric metric;
@@ -67,7 +67,7 @@ class DiagramWork final : public SlicedWork<Record> {
   using Start = std::function<std::unique_ptr<SlicedWork<Record>>(const DiagramOnMesh& on)>;
 
   /// The handle must outlive the steps.
-  DiagramWork(VoronoiHandle& voronoi, Start start) : voronoi_(voronoi), start_(std::move(start)) {}
+  DiagramWork(DiagramHandle& voronoi, Start start) : voronoi_(voronoi), start_(std::move(start)) {}
   bool advance(long budget) override;
   double share() const override { return work_ ? work_->progress() : 0; }
   Record result() override { return work_->take(); }
@@ -75,14 +75,14 @@ class DiagramWork final : public SlicedWork<Record> {
  private:
   bool join(long budget);
 
-  VoronoiHandle& voronoi_;
+  DiagramHandle& voronoi_;
   const Start start_;
   std::unique_ptr<SlicedWork<Diagram>> joining_;
   std::unique_ptr<SlicedWork<Record>> work_;
 };
 
 /// The answer of work on a diagram.
-inline Answer* answerOn(VoronoiHandle* voronoi, DiagramWork::Start start) {
+inline Answer* answerOn(DiagramHandle* voronoi, DiagramWork::Start start) {
   return guarded(
       [&] { return answerOf(std::make_unique<DiagramWork>(*voronoi, std::move(start))); });
 }

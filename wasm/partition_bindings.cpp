@@ -169,7 +169,7 @@ class DualPathRecording final : public SlicedWork<Record> {
 }  // namespace
 
 /// `Partition`.
-GVD_ABI Answer* partition(VoronoiHandle* voronoi, bool leaveOutIndifferent,
+GVD_ABI Answer* partition(DiagramHandle* voronoi, bool leaveOutIndifferent,
                           bool leaveOutUnreachable) {
   const PartitionOptions options = {.leaveOutIndifferent = leaveOutIndifferent,
                                     .leaveOutUnreachable = leaveOutUnreachable};
@@ -179,7 +179,7 @@ GVD_ABI Answer* partition(VoronoiHandle* voronoi, bool leaveOutIndifferent,
 }
 
 /// `PolygonMesh`: the dual, or if `primal` the regions themselves.
-GVD_ABI Answer* dual(VoronoiHandle* voronoi, bool primal) {
+GVD_ABI Answer* dual(DiagramHandle* voronoi, bool primal) {
   return answerOn(voronoi, [=](const DiagramOnMesh& on) {
     return std::make_unique<PolygonRecording>(
         on, primal ? startRegionMesh(*on.mesh, *on.diagram)
@@ -188,14 +188,14 @@ GVD_ABI Answer* dual(VoronoiHandle* voronoi, bool primal) {
 }
 
 /// `DualPaths`.
-GVD_ABI Answer* dualPaths(VoronoiHandle* voronoi) {
+GVD_ABI Answer* dualPaths(DiagramHandle* voronoi) {
   return answerOn(voronoi, [=](const DiagramOnMesh& on) {
     return std::make_unique<DualPathRecording>(on, voronoi->field());
   });
 }
 
 /// Per violation of the dual its kind and its message, and a list of labels.
-GVD_ABI Answer* dualViolations(VoronoiHandle* voronoi) {
+GVD_ABI Answer* dualViolations(DiagramHandle* voronoi) {
   return answerOn(voronoi, [=](const DiagramOnMesh& on) {
     return recording(startViolations(*on.mesh, voronoi->sitesByLabel(), *on.diagram),
                      [on](const std::vector<Violation>& violations) {
@@ -219,7 +219,7 @@ GVD_ABI Answer* dualViolations(VoronoiHandle* voronoi) {
 }
 
 /// `RemeshQuality` of the dual.
-GVD_ABI Answer* dualQuality(VoronoiHandle* voronoi) {
+GVD_ABI Answer* dualQuality(DiagramHandle* voronoi) {
   return answerOn(voronoi, [=](const DiagramOnMesh& on) {
     return recording(
         startQuality(*on.mesh, startDualMesh(*on.mesh, voronoi->sitesByLabel(), *on.diagram)),
@@ -238,7 +238,7 @@ GVD_ABI Answer* dualQuality(VoronoiHandle* voronoi) {
 }
 
 /// `SurfacePoints`: the sites by label, and more for a valid dual.
-GVD_ABI Answer* repairedSites(const VoronoiHandle* voronoi, int maxAdded) {
+GVD_ABI Answer* repairedSites(const DiagramHandle* voronoi, int maxAdded) {
   return guarded([&] {
     const auto mesh = voronoi->surface.mesh;
     return answerOf(
