@@ -14,7 +14,7 @@
 #include "base/sliced_loop.h"
 #include "diagram/diagram_pieces.h"
 #include "diagram/diagram_tracing.h"
-#include "diagram/mixed_faces.h"
+#include "diagram/overlap_faces.h"
 #include "distance/site_distances.h"
 #include "gvd/error.h"
 
@@ -48,7 +48,7 @@ class DynamicDiagram::Implementation {
         distances_(std::move(distances)),
         tracer_(mesh, *distances_, options),
         pieces_(mesh.faceCount()),
-        mixed_(mesh, *distances_) {}
+        overlaps_(mesh, *distances_) {}
 
   int labelCount() const { return distances_->sites().labelCount(); }
   const SiteDistances& distances() const { return *distances_; }
@@ -99,7 +99,7 @@ class DynamicDiagram::Implementation {
   std::shared_ptr<SiteDistances> distances_;
   PartialTracer tracer_;
   DiagramPieces pieces_;
-  MixedFaces mixed_;
+  OverlapFaces overlaps_;
   /// Faces with merged points, and some that had them before; ascending.
   std::vector<int> mergedFaces_;
   /// Faces where the tracer added labels when the whole diagram was traced last; ascending.
@@ -116,7 +116,7 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
     return sequence_.run(
         [&] { return diagram_.distances_->step(budget); },
         [&] { labels_ = IndexSet(labelCount(), diagram_.distances_->changedLabels()); },
-        [&] { return diagram_.mixed_.update(labels_, budget); },
+        [&] { return diagram_.overlaps_.update(labels_, budget); },
         [&] { return tracesAll_ || traceParts(budget); },
         forEach(change_.faces, budget, 8, [&](int i) { addFaceLabel(change_.faces[i]); }),
         [&] { return !tracesAll_ || traceAll(budget); },
@@ -141,7 +141,7 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
   bool traceParts(long& budget) {
     for (;;) {
       if (!tracing_) {
-        const std::vector<int> faces = diagram_.mixed_.of(labels_.list());
+        const std::vector<int> faces = diagram_.overlaps_.of(labels_.list());
         tracing_ = diagram_.tracer_.start(faces, labels_, labelCount());
       }
       if (!tracing_->step(budget)) return false;

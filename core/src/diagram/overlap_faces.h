@@ -11,18 +11,18 @@
 
 namespace gvd {
 
-/// The faces where labels meet: of each label, those with a corner where it and another label are
-/// known. Only there can its bisectors run.
-class MixedFaces {
+/// The faces where the known distances of labels overlap: of each label, those with a corner where
+/// it and another label are known. Only there can its bisectors run.
+class OverlapFaces {
  public:
   /// All arguments must outlive this.
-  MixedFaces(const TriangleMesh& mesh, const SiteDistances& distances)
+  OverlapFaces(const TriangleMesh& mesh, const SiteDistances& distances)
       : mesh_(mesh), distances_(distances), faces_(mesh.faceCount()) {}
 
   /// Follows the last change of the distances, in slices; true when done. `labels` are those that
   /// it has changed.
   bool update(const IndexSet& labels, long& budget);
-  /// The faces where any of some labels meets others; ascending.
+  /// The faces where any of some labels overlaps others; ascending.
   std::vector<int> of(std::span<const int> labels);
 
  private:

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "diagram/mixed_faces.h"
+#include "diagram/overlap_faces.h"
 
 namespace gvd {
 
-bool MixedFaces::update(const IndexSet& labels, long& budget) {
+bool OverlapFaces::update(const IndexSet& labels, long& budget) {
   constexpr long kFacesPerUnit = 16;
   const std::vector<int>& changed = distances_.changedFaces().list();
   return sequence_.runRound(
@@ -12,15 +12,15 @@ bool MixedFaces::update(const IndexSet& labels, long& budget) {
 }
 
 /// Removes the changed faces from the lists of the changed labels.
-void MixedFaces::forgetChanged(const IndexSet& labels) {
+void OverlapFaces::forgetChanged(const IndexSet& labels) {
   ofLabel_.resize(distances_.sites().labelCount());
   const IndexSet& changed = distances_.changedFaces();
   for (const int label : labels.list())
     std::erase_if(ofLabel_[label], [&](int f) { return changed.contains(f); });
 }
 
-/// Adds a face to the lists of those labels that meet others at one of its corners.
-void MixedFaces::note(int face, const IndexSet& labels) {
+/// Adds a face to the lists of those labels that overlap others at one of its corners.
+void OverlapFaces::note(int face, const IndexSet& labels) {
   for (int h = 3 * face; h < 3 * face + 3; ++h) {
     const auto known = distances_.at(mesh_.tail(h));
     if (known.size() < 2) continue;
@@ -32,7 +32,7 @@ void MixedFaces::note(int face, const IndexSet& labels) {
   }
 }
 
-std::vector<int> MixedFaces::of(std::span<const int> labels) {
+std::vector<int> OverlapFaces::of(std::span<const int> labels) {
   faces_.clear();
   for (const int label : labels)
     for (const int f : ofLabel_[label]) faces_.add(f);
