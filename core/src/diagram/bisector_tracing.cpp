@@ -140,8 +140,7 @@ void BisectorTracing::addSegment(int element, const FaceEnvelope::Segment& added
   } else if (const int after = segmentAcross(to, segment); after >= 0) {
     link(segment, after);
   }
-  if (points_.overlap(envelope_, added.tail, added.tip) && mayBeOne(added.tail, added.tip))
-    graph_.unite(from, to);
+  points_.mergeEnds(envelope_, added.tail, added.tip);
 }
 
 /// Notes a dart of a region that leaves an inner point or arrives there. Once both are known, the
@@ -167,18 +166,6 @@ int BisectorTracing::segmentAcross(int point, int added) {
 void BisectorTracing::link(int first, int second) {
   graph_.nextDart[2 * first] = 2 * second;
   graph_.nextDart[2 * second + 1] = 2 * first + 1;
-}
-
-/// Whether the ends of a segment may be merged. Merging must not join points of two sides beside
-/// their common corner without the corner itself: that would pinch off the surface.
-bool BisectorTracing::mayBeOne(int tail, int tip) {
-  const int from = placed_[tail].point, to = placed_[tip].point;
-  if (!graph_.isInner(from) && !graph_.isInner(to)) return false;
-  const auto isNearCorner = [&](int vertex) {
-    return points_.isNearCorner(envelope_, envelope_.vertices()[vertex]);
-  };
-  if (!isNearCorner(tail) && !isNearCorner(tip)) return true;
-  return graph_.isNode(graph_.merging.root(from)) || graph_.isNode(graph_.merging.root(to));
 }
 
 /// Adds the corners of smaller elements along a side without twin to a cell. One label owns all of

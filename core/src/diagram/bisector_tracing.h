@@ -42,7 +42,6 @@ class BisectorTracing {
   void join(int point, int label, int dart, bool leaves);
   int segmentAcross(int point, int added);
   void link(int first, int second);
-  bool mayBeOne(int tail, int tip);
 
   const TriangleMesh& mesh_;
   FaceComplex& complex_;

@@ -96,13 +96,22 @@ std::span<const ElementPoints::PlacedVertex> ElementPoints::of(int element,
   return placed_;
 }
 
-bool ElementPoints::overlap(const FaceEnvelope& envelope, int a, int b) const {
-  const double distance = largestDifference(placed_[a].bary, placed_[b].bary);
-  if (distance > 2 * kMaxPointError) return false;  // as mostly
-  const std::vector<Vertex>& vertices = envelope.vertices();
-  return distance <= errorOf(envelope, vertices[a]) + errorOf(envelope, vertices[b]);
+/// Merging must not join points of two sides beside their common corner without the corner itself:
+/// that would pinch off the surface.
+void ElementPoints::mergeEnds(const FaceEnvelope& envelope, int tail, int tip) {
+  const double distance = largestDifference(placed_[tail].bary, placed_[tip].bary);
+  if (distance > 2 * kMaxPointError) return;  // as mostly
+  const Vertex &from = envelope.vertices()[tail], &to = envelope.vertices()[tip];
+  if (distance > errorOf(envelope, from) + errorOf(envelope, to)) return;
+  const int a = placed_[tail].point, b = placed_[tip].point;
+  if (!graph_.isInner(a) && !graph_.isInner(b)) return;
+  const bool isBesideCorner = isNearCorner(envelope, from) || isNearCorner(envelope, to);
+  const auto isAtNode = [&](int point) { return graph_.isNode(graph_.merging.root(point)); };
+  if (!isBesideCorner || isAtNode(a) || isAtNode(b)) graph_.unite(a, b);
 }
 
+/// Whether a vertex is inside, and so near to a corner of the element that it could be merged with
+/// it.
 bool ElementPoints::isNearCorner(const FaceEnvelope& envelope, const Vertex& v) const {
   if (v.kind != Vertex::kInside) return false;
   Eigen::Vector3d bary;

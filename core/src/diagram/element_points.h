@@ -15,7 +15,8 @@ namespace gvd {
 
 /// Makes the points of the graph for the vertices of envelopes, each of which has an error bound
 /// for rounding. Neighbouring elements share the points on their common side and at its ends.
-/// Points on one side whose error bounds overlap are merged here.
+/// Points whose error bounds overlap are merged here, if they are on one side or at the ends of one
+/// segment.
 class ElementPoints {
  public:
   /// A vertex of an envelope.
@@ -31,11 +32,9 @@ class ElementPoints {
   std::span<const PlacedVertex> of(int element, const FaceEnvelope& envelope);
   /// The point at a node, which lies at `bary` in an element's face.
   int atNode(int element, int node, const Eigen::Vector3d& bary);
-  /// Whether the error bounds of two vertices of the envelope overlap.
-  bool overlap(const FaceEnvelope& envelope, int a, int b) const;
-  /// Whether a vertex of an envelope is inside, and so near to a corner of the element that it
-  /// could be merged with it.
-  bool isNearCorner(const FaceEnvelope& envelope, const FaceEnvelope::Vertex& v) const;
+  /// Merges the points at the ends of a segment within their error bounds, if one of them is
+  /// inside.
+  void mergeEnds(const FaceEnvelope& envelope, int tail, int tip);
 
  private:
   using Vertex = FaceEnvelope::Vertex;
@@ -46,6 +45,7 @@ class ElementPoints {
                  const Eigen::Vector3d& bary);
   void mergeOnSide(int element, const FaceEnvelope& envelope, const Vertex& v, int point,
                    const Eigen::Vector3d& bary);
+  bool isNearCorner(const FaceEnvelope& envelope, const Vertex& v) const;
   bool areNear(std::span<const Vertex> vertices) const;
   void tellApartInnerPoints(int face, std::span<const Vertex> vertices);
 
