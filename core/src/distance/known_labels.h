@@ -44,11 +44,7 @@ class KnownLabels {
     return owners_.prepare(budget) && lists_.prepare(mesh_.vertexCount(), budget);
   }
 
-  std::span<const LabelledDistance> operator[](int vertex) const { return lists_[vertex]; }
-  /// The distance of a label, infinity if it is not known.
-  double distance(int vertex, int label) const { return lists_.distance(vertex, label); }
-  /// The index in `LabelSpread::reached(label)` of the vertex, -1 if the label is not known.
-  int reachedIndex(int vertex, int label) const { return lists_.reachedIndex(vertex, label); }
+  const LabelLists& lists() const { return lists_; }
 
   /// Forgets the previous change.
   void beginChange();

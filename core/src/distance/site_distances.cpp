@@ -229,7 +229,7 @@ LabelledDistance SiteDistances::nearest(const SurfacePoint& given, long& budget)
 /// Whether a label is known at the corners of the face, or of the side, that has the point.
 bool SiteDistances::isKnownAround(int label, const SurfacePoint& p) const {
   for (int i = 0; i < 3; ++i)
-    if (p.bary[i] > 0 && known_.distance(mesh_.tail(3 * p.face + i), label) == kInfinity)
+    if (p.bary[i] > 0 && known_.lists().distance(mesh_.tail(3 * p.face + i), label) == kInfinity)
       return false;
   return true;
 }
@@ -266,7 +266,7 @@ class SiteDistances::DistancesAtPoints final : public SlicedWork<std::vector<dou
     const int label = points_[i].label;
     const SurfacePoint p = onMesh(field_.mesh_, points_[i].point);
     const int v = vertexAt(field_.mesh_, p);
-    distances_.push_back(v >= 0 ? field_.known_.distance(v, label) : kInfinity);
+    distances_.push_back(v >= 0 ? field_.known_.lists().distance(v, label) : kInfinity);
     if (v >= 0) return 1;
     if (field_.isKnownAround(label, p)) {
       points_[open_.size()] = {label, p};
@@ -293,7 +293,7 @@ std::unique_ptr<SlicedWork<std::vector<double>>> SiteDistances::startDistancesAt
 }
 
 Eigen::Vector2d SiteDistances::direction(int label, int vertex) const {
-  const int index = known_.reachedIndex(vertex, label);
+  const int index = known_.lists().reachedIndex(vertex, label);
   if (index < 0) return Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
   return spread_->direction(label, index);
 }

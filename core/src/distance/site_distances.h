@@ -70,7 +70,7 @@ class SiteDistances final : public DistanceField {
   bool isTaken() const { return isTaken_; }
   void markTaken() { isTaken_ = true; }
 
-  std::span<const LabelledDistance> at(int vertex) const override { return known_[vertex]; }
+  std::span<const LabelledDistance> at(int vertex) const override { return known_.lists()[vertex]; }
   using DistanceField::nearest;
   LabelledDistance nearest(const SurfacePoint& given, long& budget) const override;
   double distance(int label, const SurfacePoint& p) const override;
