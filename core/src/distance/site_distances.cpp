@@ -105,20 +105,14 @@ bool SiteDistances::step(long& budget) {
 
 /// Finds the labels that lose their sites.
 void SiteDistances::findLeaving() {
-  std::vector<int> leaving;
+  forgotten_.clear();
   for (const SiteChange& c : changes_)
-    if (sites_.contains(c.label)) leaving.push_back(c.label);
-  startForgetting(std::move(leaving));
+    if (sites_.contains(c.label)) forgotten_.push_back(c.label);
 }
 
-void SiteDistances::startForgetting(std::vector<int> labels) {
-  forgotten_ = std::move(labels);
-  forgetting_ = {};
-}
-
-/// Forgets the distances of some labels, in slices; true when done.
+/// Forgets the distances of the labels in `forgotten_`, in slices; true when done.
 bool SiteDistances::forget(long& budget) {
-  return forgetting_.run(
+  return forgetting_.runRound(
       [&] {
         for (const int label : forgotten_) known_.noteLeaving(label);
       },
@@ -169,7 +163,7 @@ bool SiteDistances::findOutdated(SlicedLoop& loop, long& budget) {
         }))
       return false;
   }
-  startForgetting(outdated_.sorted());
+  forgotten_ = outdated_.sorted();
   change_.started.insert(change_.started.end(), forgotten_.begin(), forgotten_.end());
   return true;
 }

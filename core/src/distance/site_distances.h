@@ -82,7 +82,6 @@ class SiteDistances final : public DistanceField {
  private:
   class DistancesAtPoints;
   void findLeaving();
-  void startForgetting(std::vector<int> labels);
   bool forget(long& budget);
   void forgetAt(int label, const ReachedVertex& r);
   void removeSite(int label);
