@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/index_set.h"
-#include "diagram/bisector_tracing.h"
+#include "diagram/bisector_graph.h"
 #include "diagram/complex_building.h"
 #include "gvd/diagram.h"
 #include "gvd/geodesic.h"
