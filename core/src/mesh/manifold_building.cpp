@@ -122,7 +122,7 @@ void TriangleOrienting::turnOver(int t) {
 // --- Stitching ---------------------------------------------------------------------------------
 
 bool EdgeStitching::step(long& budget) {
-  return loop_.runWeighted(cut_.count(), budget, 8, [&](int edge) { return stitch(edge); });
+  return loop_.run(cut_.count(), budget, 8, [&](int edge) { return stitch(edge); });
 }
 
 /// Returns the number of triangles at the edge.
