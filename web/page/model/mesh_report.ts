@@ -30,8 +30,8 @@ export function setUpMeshReport(viewer: GeodesicVoronoiElement): void {
       );
     } else if (cuts > 0) {
       showNote(
-        `This model is cut along ${counted(cuts, 'edge')} where its triangles do not fit together: ` +
-          'distances lead around the cuts. “Model”, in the controls, tells more.',
+        `This model is cut apart at ${counted(cuts, 'edge')} where its triangles do not fit together: ` +
+          'no path leads across. “Model”, in the controls, tells more.',
       );
     }
   });
