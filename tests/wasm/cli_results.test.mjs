@@ -56,6 +56,15 @@ test('partition as GLB, OBJ, PLY and JSON', () => {
   assert.deepEqual(JSON.parse(read('d.json')).sites, json.sites);
 });
 
+test('an STL of a model far from the origin is told of, as it loses digits', () => {
+  const corners = ['5000000 0 0', '5000001 0 0', '5000000 1 0', '5000000 0 1'];
+  write('far.off', `OFF\n4 4 0\n${corners.join('\n')}\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n`);
+  const note = /^note: an STL rounds positions to 32 bits, here by up to 30; \.ply and \.obj keep/m;
+  assert.match(succeeds('partition far.off --sites 2 --units cm -o parts.stl').stderr, note);
+  assert.doesNotMatch(succeeds('partition far.off --sites 2 -o parts.ply').stderr, /32 bits/);
+  assert.doesNotMatch(succeeds('partition shape.glb --sites 2 -o parts.stl').stderr, /32 bits/);
+});
+
 test('a partition leaves out the components without a site when asked to', () => {
   write('corner.json', JSON.stringify({ vertex: [0] }));
   const labels = (command) => JSON.parse(succeeds(command).stdout).triangles.label;

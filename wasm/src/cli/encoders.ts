@@ -43,7 +43,7 @@ import { standard, type Values } from './options.js';
 import { UsageError, type Lengths } from './values.js';
 
 /** Where the result goes, and its format if the name of the file does not decide. */
-type Target = Pick<Values, 'output' | 'json'> & Partial<Pick<Values<'diagram'>, 'format'>>;
+export type Target = Pick<Values, 'output' | 'json'> & Partial<Pick<Values<'diagram'>, 'format'>>;
 
 /** Makes a file of a result. */
 type Encoder<Result> = (result: Result, lengths: Lengths) => string | Uint8Array;
@@ -54,7 +54,7 @@ type Encoders<Result> = Readonly<Record<string, Encoder<Result>>>;
  * The ending of files of the format: of the one that is asked for, or else of the output's own; of
  * standard output and of names without an ending, such as /dev/stdout, that of JSON.
  */
-function endingOf({ output, json, format }: Target): string {
+export function endingOf({ output, json, format }: Target): string {
   if (json && format !== undefined)
     throw new UsageError('--json is a format as --format is: give one of them');
   if (format !== undefined) return `.${format}`;

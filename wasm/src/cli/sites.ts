@@ -9,6 +9,7 @@ import type { SurfacePoints } from '../api/results.js';
 import { counted, integer } from '../base/sentences.js';
 import type { Density } from '../api/options.js';
 import type { Mesh } from '../api/types.js';
+import { endingOf, type Target } from './encoders.js';
 import { FileError, type Output, readModel } from './files.js';
 import { areRandom, standard, type Values } from './options.js';
 import { nameOf, type NamedPoints, readPoints } from './points.js';
@@ -44,7 +45,22 @@ export async function openMesh(
   const { format } = mesh.info.origin;
   if (values.units.unit && format !== 'glTF')
     writeNotes([`${format} has no unit: lengths of the model are taken for metres`], values);
+  writeNotes(roundingNotes(mesh, values), values);
   return mesh;
+}
+
+/** Notes that a model is so far from the origin that the numbers of an STL, of 32 bits, change it. */
+function roundingNotes(
+  { positions, info }: Mesh,
+  { units, ...target }: Target & Pick<Values, 'units'>,
+): string[] {
+  const visibleShare = 1e-6; // of the diagonal, as where open seams are looked for
+  const farthest = positions.reduce((most, x) => Math.max(most, Math.abs(x) || 0), 0);
+  const rounding = 2 ** -24 * farthest;
+  if (endingOf(target) !== '.stl' || rounding <= visibleShare * info.boundingDiagonal) return [];
+  return [
+    `an STL rounds positions to 32 bits, here by up to ${(units.scale * rounding).toPrecision(2)}; .ply and .obj keep all digits`,
+  ];
 }
 
 /** What the lengths of a result are in: as --units says, or in the model's own unit, which glTF has. */
