@@ -131,7 +131,10 @@ suite('the panel', () => {
     };
     await open('faulty.glb', faulty);
     await showGroup('Model');
-    assert.match(await text('#repairs'), /edges? of three or more triangles, where components are cut apart\./);
+    assert.match(
+      await text('#repairs'),
+      /edges? of three or more triangles, where components are cut apart\./,
+    );
     assert.match(await text('#report'), /Triangles34/);
   });
 
