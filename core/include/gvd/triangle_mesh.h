@@ -96,7 +96,7 @@ struct MeshTopology {
 ///     cut;
 ///  6. where an edge was cut in step 4, the triangles of a component are joined again if there are
 ///     just two and they agree in orientation: cutting and stitching (Guéziec et al. 2001,
-///     "Converting Sets of Polygons to Manifold Surfaces by Cutting and Stitching"). So solids that
+///     "Cutting and Stitching: Converting Sets of Polygons to Manifold Surfaces"). So solids that
 ///     touch along an edge stay closed, and a surface with a fin on it stays whole;
 ///  7. components of fewer than `minComponent` triangles are dropped;
 ///  8. a vertex whose triangles form several fans is split, one vertex per fan: no path passes
