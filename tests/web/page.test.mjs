@@ -605,7 +605,10 @@ suite('the page', () => {
     assert.match(await text(viewer, '#repairs'), /18 vertices welded.*1 triangle turned over/);
     await viewer.after('diagram', () => viewer.page.selectOption('#orientation', 'keep'));
     assert.match(await text(viewer, '#repairs'), /3 edges cut/);
-    assert.match(await text(viewer, '#note-text'), /cut along 3 edges .* around the cuts\./);
+    assert.match(
+      await text(viewer, '#note-text'),
+      /cut apart at 3 edges .*: no path leads across\./,
+    );
     await viewer.after('diagram', async () => {
       await viewer.page.fill('#min-component', '3');
       await viewer.page.locator('#min-component').blur();
