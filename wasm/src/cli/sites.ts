@@ -54,10 +54,11 @@ function roundingNotes(
   { positions, info }: Mesh,
   { units, ...target }: Target & Pick<Values, 'units'>,
 ): string[] {
+  if (endingOf(target) !== '.stl') return [];
   const visibleShare = 1e-6; // of the diagonal, as where open seams are looked for
   const farthest = positions.reduce((most, x) => Math.max(most, Math.abs(x) || 0), 0);
   const rounding = 2 ** -24 * farthest;
-  if (endingOf(target) !== '.stl' || rounding <= visibleShare * info.boundingDiagonal) return [];
+  if (rounding <= visibleShare * info.boundingDiagonal) return [];
   return [
     `an STL rounds positions to 32 bits, here by up to ${(units.scale * rounding).toPrecision(2)}; .ply and .obj keep all digits`,
   ];
@@ -157,11 +158,11 @@ async function sampled(
 
 /** Notes what the reader passed over, and where the surface is not the one that its triangles seem to make. */
 export function meshNotes({ info: { notes, repairs } }: Mesh): string[] {
-  const cut = (edges: number, why: string, whither = '') =>
+  const cut = (edges: number, why: string, to = '') =>
     edges === 0
       ? []
       : [
-          `${counted(edges, 'edge')} of ${why} ${edges === 1 ? 'is' : 'are'} cut apart: distances do not lead across${whither}`,
+          `${counted(edges, 'edge')} of ${why} ${edges === 1 ? 'is' : 'are'} cut apart: distances do not lead across${to}`,
         ];
   const cuts = [
     ...cut(repairs.nonManifoldEdges, 'three or more triangles', ' to another component'),
