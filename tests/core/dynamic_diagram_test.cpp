@@ -15,6 +15,7 @@
 #include "gvd/error.h"
 #include "gvd/sampling.h"
 #include "mechanical_shapes.h"
+#include "mesh/incidence.h"
 #include "shapes.h"
 
 namespace gvd {
@@ -506,6 +507,45 @@ TEST(DynamicDiagram, GivesTheLowestFreeLabel) {
   EXPECT_TRUE(dynamic.hasSite(2) && dynamic.hasSite(4));
   EXPECT_EQ(dynamic.lowestFreeLabel(), 5);
   EXPECT_TRUE(isUpToDate(mesh, dynamic, Metric::kExact));
+}
+
+/// Of sites at one place, the one with the lowest label has the region, whichever came first.
+TEST(DynamicDiagram, GivesThePlaceOfSeveralSitesToTheLowestLabel) {
+  const TriangleMesh mesh = shapes::icosphere(3).mesh();
+  const int h = 0, vertex = mesh.tail(100);
+  SurfacePoint onEdge{0, {0.25, 0.75, 0}};
+  const SurfacePoint places[] = {shapes::centroid(7), onEdge, pointAtVertex(mesh, vertex)};
+  // The same places as they are in other faces.
+  const SurfacePoint again[] = {shapes::centroid(7), acrossEdge(mesh, onEdge, h),
+                                pointInFace(mesh, places[2], mesh.fan(vertex)[2] / 3).value()};
+  for (const Metric metric : {Metric::kExact, Metric::kDgpc})
+    for (int i = 0; i < 3; ++i) {
+      const std::vector<SurfacePoint> sites = {places[i], shapes::centroid(500), again[i],
+                                               again[i]};
+      DynamicDiagram dynamic(mesh, sites, metric);
+      const auto expectOnly = [&](int label) {
+        EXPECT_TRUE(isUpToDate(mesh, dynamic, metric));
+        const Diagram d = dynamic.diagram();
+        for (const int l : {0, 2, 3}) EXPECT_EQ(d.regionArea[l] > 0, l == label) << l;
+      };
+      expectOnly(0);
+      const DiagramChange out = dynamic.removeSite(0);
+      EXPECT_TRUE(std::ranges::binary_search(out.labels, 2));
+      expectOnly(2);
+      dynamic.removeSite(3);
+      expectOnly(2);
+      dynamic.insertSite(places[i]);  // as site 0
+      expectOnly(0);
+      dynamic.insertSite(places[i]);  // as site 3
+      const DiagramChange moved = dynamic.moveSite(0, shapes::centroid(900));
+      EXPECT_TRUE(std::ranges::binary_search(moved.labels, 0));
+      EXPECT_GT(dynamic.diagram().regionArea[0], 0);
+      EXPECT_GT(dynamic.diagram().regionArea[2], 0);
+      dynamic.moveSite(0, again[i]);
+      expectOnly(0);
+      EXPECT_TRUE(dynamic.hasSite(2));
+      EXPECT_EQ(dynamic.site(2).bary, again[i].bary);
+    }
 }
 
 /// The diagram is inconsistent meanwhile: using it read memory that was not its own.

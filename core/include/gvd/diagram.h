@@ -89,8 +89,7 @@ struct Diagram {
   std::vector<int> faceLabel;
   /// Region triangles on all of which two or more labels tie, given to the lowest of these labels;
   /// ascending. They lie behind saddle vertices and boundary corners at the same distance from
-  /// several sites, because the shortest paths from all these sites go on alike from there. Sites
-  /// at the same place tie on all of their region.
+  /// several sites, because the shortest paths from all these sites go on alike from there.
   std::vector<int> indifferentFaces;
 
   /// The parts of mixed faces: convex polygons, counterclockwise, ascending by face. A point on the

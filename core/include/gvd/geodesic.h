@@ -146,7 +146,8 @@ std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePo
                                        const SurfacePoint& to);
 
 /// Starts to find the distances of all `sites`, given in the mesh's faces, one label each. Sites
-/// may coincide, share a face, lie on edges or vertices, and outnumber the vertices. A site with
+/// may share a face, lie on edges or vertices, and outnumber the vertices. Of sites at one place,
+/// only the one with the lowest label takes part; the others are not known anywhere. A site with
 /// face -1 is a label without a site. Throws `Error(kInvalidArgument)` if there is no site,
 /// `Error(kInvalidPoint)` if one is not on the mesh.
 ///

@@ -50,6 +50,7 @@ std::vector<SiteChange> insertionsOf(std::span<const SurfacePoint> sites) {
 SiteDistances::SiteDistances(const TriangleMesh& mesh, Metric metric,
                              std::span<const SurfacePoint> sites)
     : mesh_(mesh),
+      given_(mesh),
       sites_(mesh),
       edgeBounds_(mesh, sites_),
       bounds_(mesh),
@@ -66,7 +67,9 @@ SiteDistances::SiteDistances(const TriangleMesh& mesh, Metric metric,
 void SiteDistances::change(std::span<const SiteChange> changes) {
   for (const SiteChange& c : changes)
     if (c.site) onMesh(mesh_, *c.site, "site", c.label);
-  changes_.assign(changes.begin(), changes.end());
+  givenChanges_.assign(changes.begin(), changes.end());
+  changes_.clear();
+  atPlaces_.clear();
   change_ = {};
   resumed_ = outdated_ = IndexSet(sites_.labelCount());
   lowering_.beginChange();
@@ -79,12 +82,15 @@ bool SiteDistances::step(long& budget) {
   constexpr long kSitesPerUnit = 2;
   return sequence_.run(
       [&] {
-        return sites_.prepare(budget) && edgeBounds_.prepare(budget) && bounds_.prepare(budget) &&
-               spread_->prepare(budget) && known_.prepare(budget);
+        return given_.prepare(budget) && sites_.prepare(budget) && edgeBounds_.prepare(budget) &&
+               bounds_.prepare(budget) && spread_->prepare(budget) && known_.prepare(budget);
       },
       [&] {
         return sites_.count() == 0 || reaching_.collect(*spread_, sites_.labelCount(), budget);
       },
+      forEach(givenChanges_, budget, kSitesPerUnit, [&](int i) { takeGiven(givenChanges_[i]); }),
+      [&] { makeSet(atPlaces_); },
+      forEach(atPlaces_, budget, kSitesPerUnit, [&](int i) { takePart(atPlaces_[i]); }),
       // 1. Bounds, and which labels start or resume because of them.
       [&] { findLeaving(); }, [&] { return forget(budget); },
       forEach(forgotten_, budget, kSitesPerUnit, [&](int i) { removeSite(forgotten_[i]); }),
@@ -101,6 +107,48 @@ bool SiteDistances::step(long& budget) {
       [&] { return lowering_.step(budget); },
       // 3. Known labels.
       [&] { return known_.step(budget); });
+}
+
+/// Changes a site as it was given, and notes which labels may begin or cease to be the lowest at
+/// their place.
+void SiteDistances::takeGiven(const SiteChange& given) {
+  known_.noteChanged(given.label);
+  atPlaces_.push_back(given.label);
+  if (given_.contains(given.label)) {
+    const SurfacePoint left = given_[given.label];
+    given_.remove(given.label);
+    if (const int next = lowestAt(left); next >= 0) atPlaces_.push_back(next);
+  }
+  if (!given.site) return;
+  const SurfacePoint site = onMesh(mesh_, *given.site);
+  if (const int former = lowestAt(site); former >= 0) atPlaces_.push_back(former);
+  given_.insert(given.label, site);
+}
+
+/// The lowest label of the given sites at a place, -1 if there is none.
+int SiteDistances::lowestAt(const SurfacePoint& place) const {
+  const int corner = incidenceOf(place.bary).corner;
+  int lowest = -1;
+  visitRepresentations(mesh_, place, [&](const SurfacePoint& p) {
+    for (const FaceSite& site : given_.inFace(p.face)) {
+      const bool isThere = corner >= 0 ? incidenceOf(site.bary).corner == incidenceOf(p.bary).corner
+                                       : site.bary == p.bary;
+      if (isThere && (lowest < 0 || site.label < lowest)) lowest = site.label;
+    }
+  });
+  return lowest;
+}
+
+/// Adds to the changes what it means for a label to be the lowest at its place, or not to be.
+void SiteDistances::takePart(int label) {
+  if (given_.contains(label) && lowestAt(given_[label]) == label) {
+    const SurfacePoint& site = given_[label];
+    if (!sites_.contains(label) || sites_[label].face != site.face ||
+        sites_[label].bary != site.bary)
+      changes_.push_back({label, site});
+  } else if (sites_.contains(label)) {
+    changes_.push_back({label, std::nullopt});
+  }
 }
 
 /// Finds the labels that lose their sites.

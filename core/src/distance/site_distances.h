@@ -35,7 +35,9 @@ struct SiteChange {
 void requireMesh(const TriangleMesh& mesh, const DistanceField& distances);
 
 /// The distances of sites that are inserted, removed and moved. The first change inserts all sites
-/// that there are to begin with. A change has three stages:
+/// that there are to begin with. Of sites at one place only the one with the lowest label takes
+/// part: the others would tie with it everywhere, and k of them take k² times as long. A change has
+/// three stages:
 ///
 /// 1. *Bounds* (`EdgeBounds`): the length of the shortest path along edges is an upper bound on the
 ///    distance of the nearest site at every vertex.
@@ -64,7 +66,8 @@ class SiteDistances final : public DistanceField {
   const IndexSet& changedFaces() const { return known_.changedFaces(); }
   const std::vector<int>& changedLabels() const { return known_.changedLabels(); }
 
-  const SiteSet& sites() const { return sites_; }
+  /// The sites as they were given, also those that take no part.
+  const SiteSet& sites() const { return given_; }
   const TriangleMesh& mesh() const { return mesh_; }
   /// Whether a `DynamicDiagram` changes these distances: then no other one may.
   bool isTaken() const { return isTaken_; }
@@ -81,6 +84,9 @@ class SiteDistances final : public DistanceField {
 
  private:
   class DistancesAtPoints;
+  void takeGiven(const SiteChange& given);
+  int lowestAt(const SurfacePoint& place) const;
+  void takePart(int label);
   void findLeaving();
   bool forget(long& budget);
   void forgetAt(int label, const ReachedVertex& r);
@@ -94,7 +100,7 @@ class SiteDistances final : public DistanceField {
 
   const TriangleMesh& mesh_;
   bool isTaken_ = false;
-  SiteSet sites_;
+  SiteSet given_, sites_;  ///< all sites, and those that take part
   EdgeBounds edgeBounds_;
   NearestBounds bounds_;
   std::unique_ptr<LabelSpread> spread_;
@@ -104,7 +110,8 @@ class SiteDistances final : public DistanceField {
   KnownLabels known_;
 
   // The current change.
-  std::vector<SiteChange> changes_;
+  std::vector<SiteChange> givenChanges_, changes_;  ///< of all sites, and of those that take part
+  std::vector<int> atPlaces_;  ///< labels that may begin or cease to be the lowest at their place
   SlicedSequence sequence_, forgetting_;
   ReachedLoop reachedLoop_;
   std::vector<int> forgotten_;         ///< labels that leave, then those that start again
