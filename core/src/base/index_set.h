@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -69,6 +70,13 @@ class IndexSet {
   std::vector<char> isIn_;
   std::vector<int> list_;
 };
+
+/// All indices below a limit, ascending.
+inline std::vector<int> indicesBelow(int limit) {
+  std::vector<int> indices(limit);
+  std::iota(indices.begin(), indices.end(), 0);
+  return indices;
+}
 
 /// Sorts a list of indices and drops duplicates. Quick if the list is mostly a sorted set to which
 /// a few indices were appended.

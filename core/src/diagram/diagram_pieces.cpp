@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
 #include <utility>
 
 #include "base/hashing.h"
@@ -231,11 +230,8 @@ std::unique_ptr<SlicedWork<Diagram>> DiagramPieces::startDiagram() const {
 }
 
 DiagramChange changeTo(Diagram diagram) {
-  DiagramChange change{std::vector<int>(diagram.siteCount),
-                       std::vector<int>(diagram.faceLabel.size()), std::move(diagram)};
-  std::iota(change.labels.begin(), change.labels.end(), 0);
-  std::iota(change.faces.begin(), change.faces.end(), 0);
-  return change;
+  const int faceCount = static_cast<int>(diagram.faceLabel.size());
+  return {indicesBelow(diagram.siteCount), indicesBelow(faceCount), std::move(diagram)};
 }
 
 Diagram extract(const Diagram& from, const IndexSet& labels, std::span<const int> faces) {

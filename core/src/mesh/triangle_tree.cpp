@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <utility>
+
+#include "base/index_set.h"
 
 namespace gvd {
 namespace {
@@ -24,8 +25,7 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) : mesh_(&mesh) {}
 bool TriangleTree::step(long& budget) {
   return sequence_.run([&](SlicedLoop& loop) { return !mesh_ || takeFaces(loop, budget); },
                        [&] {
-                         order_.resize(triangles_.size());
-                         std::iota(order_.begin(), order_.end(), 0);
+                         order_ = indicesBelow(static_cast<int>(triangles_.size()));
                          if (!order_.empty())
                            tasks_.push_back({0, static_cast<int>(order_.size()), -1});
                        },
