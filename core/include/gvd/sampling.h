@@ -150,7 +150,6 @@ class WorstRegions {
     std::vector<SurfacePoint> outline;
   };
   class Update;
-  class Making;
 
   WorstRegions(const TriangleMesh& mesh, const DistanceField& distances, WorstRegion worst);
 

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "base/index_set.h"
 #include "base/plane.h"
 #include "base/sliced_loop.h"
 #include "diagram/given_diagram.h"
@@ -70,7 +70,10 @@ double areaOfCell(const TriangleMesh& mesh, const Diagram& diagram, int cell) {
 
 WorstRegions::WorstRegions(const TriangleMesh& mesh, const DistanceField& distances,
                            WorstRegion worst)
-    : mesh_(&mesh), distances_(&distances), worst_(worst) {}
+    : mesh_(&mesh),
+      distances_(&distances),
+      worst_(worst),
+      faceLabel_(mesh.faceCount(), Diagram::kUnreachable) {}
 
 /// Makes the regions follow a change of the diagram, and finds the next point.
 class WorstRegions::Update final : public SlicedSteps {
@@ -198,45 +201,24 @@ class WorstRegions::Update final : public SlicedSteps {
   double most_ = -1;  ///< the distance of the farthest point so far
 };
 
-/// The regions of a whole diagram.
-class WorstRegions::Making final : public SlicedWork<WorstRegions> {
- public:
-  Making(const TriangleMesh& mesh, const DistanceField& distances, const Diagram& diagram,
-         WorstRegion worst)
-      : regions_(mesh, distances, worst), diagram_(diagram) {
-    requireFaces(mesh, diagram);
-    requireMesh(mesh, distances);
-  }
-
-  bool advance(long budget) override {
-    const int faceCount = regions_.mesh_->faceCount();
-    return sequence_.run(
-        [&] { return fillInSlices(regions_.faceLabel_, faceCount, Diagram::kUnreachable, budget); },
-        [&] {
-          labels_.resize(diagram_.siteCount);
-          std::iota(labels_.begin(), labels_.end(), 0);
-          faces_.resize(faceCount);
-          std::iota(faces_.begin(), faces_.end(), 0);
-          update_.emplace(regions_, labels_, faces_, diagram_);
-        },
-        [&] { return update_->step(budget); });
-  }
-  double share() const override { return update_ ? update_->progress() : 0; }
-  WorstRegions result() override { return std::move(regions_); }
-
- private:
-  WorstRegions regions_;
-  const Diagram& diagram_;
-  SlicedSequence sequence_;
-  std::vector<int> labels_, faces_;
-  std::optional<Update> update_;
-};
-
+/// Begins with no regions, which then follow a change of all labels and faces.
 std::unique_ptr<SlicedWork<WorstRegions>> WorstRegions::start(const TriangleMesh& mesh,
                                                               const DistanceField& distances,
                                                               const Diagram& diagram,
                                                               WorstRegion worst) {
-  return std::make_unique<Making>(mesh, distances, diagram, worst);
+  requireFaces(mesh, diagram);
+  requireMesh(mesh, distances);
+  struct Change {
+    WorstRegions regions;
+    std::vector<int> labels, faces;
+  };
+  std::unique_ptr<Change> change(new Change{WorstRegions(mesh, distances, worst),
+                                            indicesBelow(diagram.siteCount),
+                                            indicesBelow(mesh.faceCount())});
+  auto update = std::make_unique<Update>(change->regions, change->labels, change->faces, diagram);
+  return workOn(std::move(update), [change = std::move(change)](auto /*update*/) {
+    return std::move(change->regions);
+  });
 }
 
 WorstRegions::WorstRegions(const TriangleMesh& mesh, const DistanceField& distances,
