@@ -125,24 +125,6 @@ int validDetail(const DiagramOptions& options) {
   return options.detail;
 }
 
-/// The tracing of all of a diagram.
-class FullTracing final : public SlicedWork<TracedDiagram> {
- public:
-  FullTracing(const TriangleMesh& mesh, const DistanceField& distances, int siteCount,
-              const DiagramOptions& options)
-      : building_(mesh, distances, validDetail(options), ComplexBuilding::Extent::kMesh),
-        tracing_(distances, building_, siteCount, nullptr, nodePoints_) {}
-
-  bool advance(long budget) override { return tracing_.step(budget); }
-  double share() const override { return tracing_.progress(); }
-  TracedDiagram result() override { return tracing_.take(); }
-
- private:
-  ComplexBuilding building_;
-  NodePoints nodePoints_;
-  Tracing tracing_;
-};
-
 }  // namespace
 
 std::unique_ptr<SlicedWork<TracedDiagram>> startTracing(const TriangleMesh& mesh,
@@ -150,7 +132,14 @@ std::unique_ptr<SlicedWork<TracedDiagram>> startTracing(const TriangleMesh& mesh
                                                         int siteCount,
                                                         const DiagramOptions& options) {
   requireMesh(mesh, distances);
-  return std::make_unique<FullTracing>(mesh, distances, siteCount, options);
+  auto building = std::make_unique<ComplexBuilding>(mesh, distances, validDetail(options),
+                                                    ComplexBuilding::Extent::kMesh);
+  auto nodePoints = std::make_unique<NodePoints>();
+  auto tracing = std::make_unique<Tracing>(distances, *building, siteCount, nullptr, *nodePoints);
+  return workOn(std::move(tracing),
+                [building = std::move(building), nodePoints = std::move(nodePoints)](auto traced) {
+                  return traced->take();
+                });
 }
 
 std::unique_ptr<SlicedWork<Diagram>> startDiagram(const TriangleMesh& mesh,
