@@ -121,25 +121,19 @@ void TriangleOrienting::turnOver(int t) {
 
 // --- Stitching ---------------------------------------------------------------------------------
 
-bool EdgeStitching::step(long& budget) {
-  return loop_.run(cut_.count(), budget, 8, [&](int edge) { return stitch(edge); });
-}
-
-/// Returns the number of triangles at the edge.
-long EdgeStitching::stitch(int edge) {
-  byComponent_.clear();
-  for (const int h : cut_[edge]) {
-    const int f = h / 3, side = oriented_.flipped[f] ? 2 - h % 3 : h % 3;
-    byComponent_.push_back({oriented_.component[f], 0, 3 * f + side});
+void stitch(Faces& faces, const OrientedComponents& oriented, std::span<const int> halfedges) {
+  std::vector<KeyedItem> byComponent;  // no second key
+  for (const int h : halfedges) {
+    const int f = h / 3, side = oriented.flipped[f] ? 2 - h % 3 : h % 3;
+    byComponent.push_back({oriented.component[f], 0, 3 * f + side});
   }
-  visitSame(byComponent_, [&](std::span<const KeyedItem> run) {
+  visitSame(byComponent, [&](std::span<const KeyedItem> run) {
     if (run.size() != 2) return;
     const int h = run[0][2], twin = run[1][2];
-    if (tailOf(faces_, h) != tipOf(faces_, twin)) return;
-    twinOf(faces_, h) = twin;
-    twinOf(faces_, twin) = h;
+    if (tailOf(faces, h) != tipOf(faces, twin)) return;
+    twinOf(faces, h) = twin;
+    twinOf(faces, twin) = h;
   });
-  return static_cast<long>(byComponent_.size());
 }
 
 // --- Small components --------------------------------------------------------------------------

@@ -21,7 +21,7 @@ struct NonManifoldEdges {
   std::vector<int> halfedges;  ///< edge after edge
   std::vector<int> end;        ///< of each edge in `halfedges`
 
-  int count() const { return static_cast<int>(end.size()); }
+  std::size_t size() const { return end.size(); }
   std::span<const int> operator[](int edge) const {
     const int begin = edge > 0 ? end[edge - 1] : 0;
     return std::span(halfedges).subspan(begin, end[edge] - begin);
@@ -92,25 +92,9 @@ class TriangleOrienting {
 
 /// Joins the two triangles that a component has at an edge of three or more triangles, if it has
 /// just two there and they agree in orientation (cutting and stitching: Guéziec et al. 2001). So
-/// two solids that touch along an edge stay closed, and a surface with a fin on it stays whole.
-class EdgeStitching {
- public:
-  /// `cut` has halfedges as they were before triangles were turned over. Changes the faces, which
-  /// must outlive this like the other arguments.
-  EdgeStitching(Faces& faces, const OrientedComponents& oriented, const NonManifoldEdges& cut)
-      : faces_(faces), oriented_(oriented), cut_(cut) {}
-  bool step(long& budget);
-
- private:
-  long stitch(int edge);
-
-  Faces& faces_;
-  const OrientedComponents& oriented_;
-  const NonManifoldEdges& cut_;
-
-  SlicedLoop loop_;
-  std::vector<KeyedItem> byComponent_;  ///< halfedges of one edge; no second key
-};
+/// two solids that touch along an edge stay closed, and a surface with a fin on it stays whole. The
+/// halfedges of the edge are as they were before triangles were turned over.
+void stitch(Faces& faces, const OrientedComponents& oriented, std::span<const int> halfedges);
 
 /// Drops the components of fewer than `least` triangles, and counts them. Throws
 /// `Error(kInvalidMesh)` if none is left.

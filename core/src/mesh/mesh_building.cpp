@@ -99,11 +99,12 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
           return runPart(orienting_, budget, selection_.faces, options_.orientation, m.repairs_);
         },
         [&] { oriented_ = taken(orienting_); },
-        [&] { return runPart(stitching_, budget, selection_.faces, oriented_, cut_); },
-        [&] {
-          stitching_.reset();
-          cut_ = {};
-        },
+        forEach(cut_, budget, 8,
+                [&](int edge) {
+                  stitch(selection_.faces, oriented_, cut_[edge]);
+                  return static_cast<long>(cut_[edge].size());
+                }),
+        [&] { cut_ = {}; },
         [&] {
           return runPart(dropping_, budget, options_.minComponent, selection_, oriented_,
                          m.repairs_);
@@ -361,7 +362,6 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   NonManifoldEdges cut_;
   std::optional<TriangleOrienting> orienting_;
   OrientedComponents oriented_;
-  std::optional<EdgeStitching> stitching_;
   std::optional<SmallComponents> dropping_;
   std::optional<FanSplitting> splitting_;
   Fans fans_;
