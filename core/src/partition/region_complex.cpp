@@ -26,19 +26,14 @@ bool RegionComplexBuilding::step(long& budget) {
                          out_.partition = partitioning_->take();
                          partitioning_.reset();
                        },
-                       [&] { return fillInSlices(vertexOfPoint_, points.size(), -1, budget); },
-                       [&] { return fillInSlices(borderAt_, twins.size(), -1, budget); },
-                       [&] { return fillInSlices(sectors_, points.size(), 0, budget); },
-                       [&] { return fillInSlices(isWalked_, twins.size(), '\0', budget); },
+                       [&] { return fillInSlices(vertexOfPoint_, points.size(), 0, budget); },
+                       [&] { return fillInSlices(borderOf_, twins.size(), -1, budget); },
                        forEach(twins, budget, 8, [&](int h) { countSector(h); }),
                        forEach(points, budget, kQuickRounds, [&](int p) { findVertex(p); }),
                        forEach(twins, budget, 8, [&](int h) { walkLoopFrom(h); }),
                        forEach(out_.borders, budget, 2, [&](int b) { listBorder(b); }),
                        forEach(out_.vertices, budget, 1, [&](int v) { turnAround(v); }),
-                       [&] {
-                         release(borderAt_);
-                         release(isWalked_);
-                       });
+                       [&] { release(borderOf_); });
 }
 
 double RegionComplexBuilding::progress() const {
@@ -57,22 +52,19 @@ int RegionComplexBuilding::endOfSector(int h) const {
 
 void RegionComplexBuilding::countSector(int h) {
   if (!isOnOutline(out_.partition, h)) return;
-  sectors_[tail(h)] += out_.partition.twins[h] < 0 ? 2 : 1;  // the outside is one
+  vertexOfPoint_[tail(h)] += out_.partition.twins[h] < 0 ? 2 : 1;  // the outside is one
 }
 
 void RegionComplexBuilding::findVertex(int point) {
-  if (sectors_[point] < 3) return;
-  vertexOfPoint_[point] = static_cast<int>(out_.vertices.size());
-  out_.vertices.push_back({point, {}, -1});
+  const bool isVertex = vertexOfPoint_[point] >= 3;  // sectors
+  vertexOfPoint_[point] = isVertex ? static_cast<int>(out_.vertices.size()) : -1;
+  if (isVertex) out_.vertices.push_back({point, {}, -1});
 }
 
 void RegionComplexBuilding::walkLoopFrom(int start) {
-  if (isWalked_[start] || !isOnOutline(out_.partition, start)) return;
+  if (borderOf_[start] >= 0 || !isOnOutline(out_.partition, start)) return;
   steps_.clear();
-  for (int h = start; !isWalked_[h]; h = nextOnOutline(out_.partition, h)) {
-    isWalked_[h] = true;
-    steps_.push_back(h);
-  }
+  walkOutline(out_.partition, start, [&](int h) { steps_.push_back(h); });
   const auto leavesVertex = [&](int h) { return vertexOfPoint_[tail(h)] >= 0; };
   const auto first = std::find_if(steps_.begin(), steps_.end(), leavesVertex);
   if (first != steps_.end()) std::rotate(steps_.begin(), first, steps_.end());
@@ -80,6 +72,7 @@ void RegionComplexBuilding::walkLoopFrom(int start) {
   for (const int h : steps_) {
     if (leavesVertex(h) || h == steps_.front()) startBorder(h);
     out_.borders.back().path.push_back(h);
+    borderOf_[h] = static_cast<int>(out_.borders.size()) - 1;
   }
   const int end = static_cast<int>(out_.borders.size());
   for (int b = firstBorder; b < end; ++b)
@@ -89,7 +82,6 @@ void RegionComplexBuilding::walkLoopFrom(int start) {
 
 void RegionComplexBuilding::startBorder(int h) {
   const int twin = out_.partition.twins[h];
-  borderAt_[h] = static_cast<int>(out_.borders.size());
   out_.borders.push_back(
       {out_.partition.triangleLabel[h / 3],
        twin < 0 ? RegionComplex::kOutside : out_.partition.triangleLabel[twin / 3],
@@ -114,8 +106,8 @@ void RegionComplexBuilding::turnAround(int vertex) {
   for (;;) {
     const int last = endOfSector(out_.borders[borders.back()].path.front());
     const int beyond = out_.partition.twins[last];
-    if (beyond < 0 || borderAt_[beyond] == borders.front()) break;
-    borders.push_back(borderAt_[beyond]);
+    if (beyond < 0 || borderOf_[beyond] == borders.front()) break;
+    borders.push_back(borderOf_[beyond]);
   }
 }
 

@@ -70,11 +70,11 @@ class RegionComplexBuilding {
 
   SlicedSequence sequence_;
   std::unique_ptr<SlicedWork<Partition>> partitioning_;
+  /// First the number of sectors, of regions and the outside, around a point, then its vertex or
+  /// -1.
   std::vector<int> vertexOfPoint_;
-  std::vector<int> borderAt_;   ///< the border that starts with a halfedge, or -1
-  std::vector<int> sectors_;    ///< of regions and the outside, around a point
-  std::vector<char> isWalked_;  ///< halfedges
-  std::vector<int> steps_;      ///< of the current loop
+  std::vector<int> borderOf_;  ///< of each halfedge on an outline, -1 before it is walked
+  std::vector<int> steps_;     ///< of the current loop
   RegionComplex out_;
 };
 

@@ -66,10 +66,10 @@ void PatchMeasuring::walkOutlineFrom(int start) {
   if (isWalked_[start] || !isOnOutline(partition_, start)) return;
   RegionPatch& region = patchOf(partition_.triangleLabel[start / 3]);
   ++region.loops;
-  for (int h = start; !isWalked_[h]; h = nextOnOutline(partition_, h)) {
+  walkOutline(partition_, start, [&](int h) {
     isWalked_[h] = true;
     addStep(h, region);
-  }
+  });
 }
 
 void PatchMeasuring::addStep(int h, RegionPatch& region) {
@@ -174,12 +174,6 @@ void PatchMeasuring::setNearCentroid(int label) {
   if (nearest.triangle < 0) return;
   patchOf(label).nearCentroid = {partition_.triangleFace[nearest.triangle],
                                  cornersInFace(mesh_, partition_, nearest.triangle) * nearest.bary};
-}
-
-int nextOnOutline(const Partition& partition, int h) {
-  int next = TriangleMesh::next(h);
-  while (!isOnOutline(partition, next)) next = TriangleMesh::next(partition.twins[next]);
-  return next;
 }
 
 }  // namespace gvd

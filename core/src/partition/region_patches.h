@@ -69,14 +69,23 @@ class PatchMeasuring {
   std::vector<int> lastLabel_;  ///< per vertex, of the last region that was found to have it
 };
 
-/// The next halfedge along the outline of a region after h, which is on that outline: turns around
-/// the tip of h within the region.
-int nextOnOutline(const Partition& partition, int h);
-
 /// Whether a halfedge is on the outline of its region.
 inline bool isOnOutline(const Partition& partition, int h) {
   const int twin = partition.twins[h];
   return twin < 0 || partition.triangleLabel[twin / 3] != partition.triangleLabel[h / 3];
+}
+
+/// Calls `visit` with the halfedges of a region's outline in order, from `start` on. Where an
+/// outline passes a point, the next halfedge is found by turning around the point within the
+/// region.
+template <class Visit>
+void walkOutline(const Partition& partition, int start, Visit visit) {
+  int h = start;
+  do {
+    visit(h);
+    h = TriangleMesh::next(h);
+    while (!isOnOutline(partition, h)) h = TriangleMesh::next(partition.twins[h]);
+  } while (h != start);
 }
 
 }  // namespace gvd
