@@ -39,15 +39,15 @@ const ComponentType& componentType(int id, const Format& format, const std::stri
 
 }  // namespace
 
-const Format kIndices = {"vertex indices", ElementType::kScalar, 1, kIndexTypes};
-const Format kPositions = {"positions", ElementType::kVec3, 3, kPositionTypes};
-const Format kNormals = {"normals", ElementType::kVec3, 3, kPositionTypes};
-const Format kUvs = {"texture coordinates", ElementType::kVec2, 2, kPositionTypes};
-const Format kDensities = {"densities", ElementType::kScalar, 1, kFloatOnly};
-const Format kDisplacements = {"morph targets", ElementType::kVec3, 3, kPositionTypes};
-const Format kTranslations = {"translations", ElementType::kVec3, 3, kFloatOnly};
-const Format kRotations = {"rotations", ElementType::kVec4, 4, kRotationTypes};
-const Format kScales = {"scales", ElementType::kVec3, 3, kFloatOnly};
+const Format kIndices = {"vertex indices", 1, kIndexTypes};
+const Format kPositions = {"positions", 3, kPositionTypes};
+const Format kNormals = {"normals", 3, kPositionTypes};
+const Format kUvs = {"texture coordinates", 2, kPositionTypes};
+const Format kDensities = {"densities", 1, kFloatOnly};
+const Format kDisplacements = {"morph targets", 3, kPositionTypes};
+const Format kTranslations = {"translations", 3, kFloatOnly};
+const Format kRotations = {"rotations", 4, kRotationTypes};
+const Format kScales = {"scales", 3, kFloatOnly};
 
 AccessorReader::AccessorReader(const Document& document, Buffers buffers)
     : document_(document), buffers_(std::move(buffers)) {}
@@ -61,7 +61,8 @@ AccessorReading AccessorReader::start(int index, const Format& format, const std
                                       std::vector<double>& to) {
   const Accessor& accessor = at(index, owner);
   const std::string name = "accessor " + std::to_string(index);
-  if (accessor.type != format.type) reject(name + " has the wrong type for " + format.what);
+  if (accessor.components != format.components)
+    reject(name + " has the wrong type for " + format.what);
   const ComponentType& type = componentType(accessor.componentType, format, name);
 
   AccessorReading reading;
@@ -76,7 +77,7 @@ AccessorReading AccessorReader::start(int index, const Format& format, const std
     const SparseElements& sparse = *accessor.sparse;
     const std::string part = "the sparse part of " + name;
     if (sparse.count > accessor.count) reject(part + " has more elements than the accessor itself");
-    const ComponentType& placeType = componentType(sparse.indices.componentType, kIndices, part);
+    const ComponentType& placeType = componentType(sparse.indexType, kIndices, part);
     reading.sparse_ = {sparse.count, &placeType,
                        elements(sparse.indices, sparse.count, placeType, 1, part),
                        elements(sparse.values, sparse.count, type, format.components, part), part};

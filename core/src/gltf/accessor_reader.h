@@ -26,7 +26,6 @@ struct ComponentType {
 /// What an accessor must be like for a given use.
 struct Format {
   const char* what;
-  ElementType type;
   std::uint64_t components;
   std::span<const ComponentType> allowed;
 };

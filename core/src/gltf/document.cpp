@@ -42,36 +42,27 @@ std::optional<int> optionalIndex(int index) {
   return index == -1 ? std::nullopt : std::optional(index);
 }
 
-ElementType elementType(int type) {
-  switch (type) {
-    case TINYGLTF_TYPE_SCALAR:
-      return ElementType::kScalar;
-    case TINYGLTF_TYPE_VEC2:
-      return ElementType::kVec2;
-    case TINYGLTF_TYPE_VEC3:
-      return ElementType::kVec3;
-    case TINYGLTF_TYPE_VEC4:
-      return ElementType::kVec4;
-    default:
-      return ElementType::kMatrix;
-  }
+/// The number of components of a scalar or a vector; 0 of a matrix.
+std::uint64_t componentsOf(int type) {
+  if (type == TINYGLTF_TYPE_SCALAR) return 1;
+  return type <= TINYGLTF_TYPE_VEC4 ? type : 0;  // 2, 3, 4
 }
 
 Accessor converted(const tinygltf::Accessor& from) {
   Accessor to;
-  to.type = elementType(from.type);
+  to.components = componentsOf(from.type);
   to.componentType = from.componentType;
   to.normalized = from.normalized;
   to.count = from.count;
-  if (from.bufferView != -1) to.elements = {from.bufferView, from.byteOffset, from.componentType};
+  if (from.bufferView != -1) to.elements = {from.bufferView, from.byteOffset};
   if (!from.sparse.isSparse) return to;
   const auto& sparse = from.sparse;
   // tinygltf stores these as int, which wraps from 2^31 on.
   const auto offset = [](int x) { return static_cast<std::uint32_t>(x); };
-  to.sparse = {
-      offset(sparse.count),
-      {sparse.indices.bufferView, offset(sparse.indices.byteOffset), sparse.indices.componentType},
-      {sparse.values.bufferView, offset(sparse.values.byteOffset), from.componentType}};
+  to.sparse = {offset(sparse.count),
+               sparse.indices.componentType,
+               {sparse.indices.bufferView, offset(sparse.indices.byteOffset)},
+               {sparse.values.bufferView, offset(sparse.values.byteOffset)}};
   return to;
 }
 

@@ -19,23 +19,21 @@ struct BufferView {
   std::uint64_t byteStride = 0;  ///< 0: the elements follow one another
 };
 
-enum class ElementType { kScalar, kVec2, kVec3, kVec4, kMatrix };
-
 /// Places in a buffer view that hold the numbers of an accessor.
 struct ElementRange {
   int bufferView = -1;
   std::uint64_t byteOffset = 0;
-  int componentType = 0;  ///< the number that glTF gives it
 };
 
 struct SparseElements {
   std::uint64_t count = 0;
+  int indexType = 0;  ///< like `Accessor::componentType`
   ElementRange indices, values;
 };
 
 struct Accessor {
-  ElementType type = ElementType::kScalar;
-  int componentType = 0;
+  std::uint64_t components = 1;  ///< of an element: 1 to 4; 0 if it is a matrix
+  int componentType = 0;         ///< the number that glTF gives it
   bool normalized = false;
   std::uint64_t count = 0;
   std::optional<ElementRange> elements;  ///< none: all elements are zero
