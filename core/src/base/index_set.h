@@ -42,6 +42,8 @@ class IndexSet {
     }
     return end == isIn_.size();
   }
+  /// Raises the limit of the indices.
+  void extend(int limit) { isIn_.resize(limit); }
   /// Empties the set, in time proportional to its size.
   void clear() {
     for (const int i : list_) isIn_[i] = false;

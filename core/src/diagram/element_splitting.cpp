@@ -19,14 +19,13 @@ bool ElementSplitting::step(long& budget) {
 /// Finds the elements that must be split, among those near the elements of the last batch.
 bool ElementSplitting::findBatch(SlicedLoop& loop, long& budget) {
   constexpr long kLooksPerUnit = 8;
-  const auto isNearSplit = [&](int n) { return nodes_.isNearSplit(n); };
+  const auto isNearSplit = [&](int n) { return nearSplit_.contains(n); };
   if (!loop.run(elements_.count(), budget, kLooksPerUnit, [&](int element) {
         const int* const nodes = elements_.nodes(element);
         const bool isConcerned = isFirstRound_ || std::any_of(nodes, nodes + 3, isNearSplit);
         if (isConcerned && mustSplit(element)) batch_.push_back(element);
       }))
     return false;
-  for (const int n : nearSplit_) nodes_.setNearSplit(n, false);
   nearSplit_.clear();
   isFirstRound_ = false;
   return true;
@@ -61,7 +60,8 @@ bool ElementSplitting::isUniform(int a, int b, int owner) const {
 bool ElementSplitting::splitBatch(long& budget) {
   const auto forBatch = [&](auto body) { return forEach(batch_, budget, 1, body); };
   return split_.runRound(
-      forBatch([&](int i) { addMiddles(batch_[i]); }), [&] { return required_.find(budget); },
+      forBatch([&](int i) { addMiddles(batch_[i]); }), [&] { nearSplit_.extend(nodes_.count()); },
+      [&] { return required_.find(budget); },
       forBatch([&](int i) { split(batch_[i], middles_[i]); }),
       [&] {
         batch_.clear();
@@ -103,20 +103,14 @@ int ElementSplitting::middleOf(int element, int side) {
 /// elements at these nodes have to be looked at.
 void ElementSplitting::split(int element, const std::array<int, 3>& middle) {
   for (int i = 0; i < 3; ++i) {
-    if (middle[i] >= 0) noteNearSplit(middle[i]);
+    if (middle[i] >= 0) nearSplit_.add(middle[i]);
     NodeLabels::Side side{node(element, i), node(element, cornerAfter(i))};
     do {
-      noteNearSplit(side.from);
-      noteNearSplit(side.to);
+      nearSplit_.add(side.from);
+      nearSplit_.add(side.to);
     } while (nodes_.enlarge(side));
   }
   elements_.split(mesh_, element, middle);
-}
-
-void ElementSplitting::noteNearSplit(int node) {
-  if (nodes_.isNearSplit(node)) return;
-  nodes_.setNearSplit(node, true);
-  nearSplit_.push_back(node);
 }
 
 }  // namespace gvd

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "base/index_set.h"
 #include "base/sliced_loop.h"
 #include "diagram/elements.h"
 #include "diagram/near_labels.h"
@@ -45,7 +46,6 @@ class ElementSplitting {
   void addMiddles(int element);
   int middleOf(int element, int side);
   void split(int element, const std::array<int, 3>& middle);
-  void noteNearSplit(int node);
   int node(int element, int corner) const { return elements_.nodes(element)[corner]; }
 
   const TriangleMesh& mesh_;
@@ -56,9 +56,10 @@ class ElementSplitting {
 
   SlicedSequence round_, split_;
   bool isFirstRound_ = true;
+  /// The nodes of the elements split last, and of those larger ones that their sides are part of.
+  IndexSet nearSplit_{0};
   std::vector<int> batch_;                   ///< elements to be split next
   std::vector<std::array<int, 3>> middles_;  ///< of the sides of each; -1: the side stays whole
-  std::vector<int> nearSplit_;               ///< nodes noted as such
   std::vector<NearLabel> near_;              ///< of the current element
   RequiredLabels required_;
 };

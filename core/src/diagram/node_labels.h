@@ -52,10 +52,6 @@ class NodeLabels {
   /// Adds a label that is not known at a node. Its distance is kept above the owner's.
   void addLabel(int node, LabelledDistance added);
 
-  /// Whether an element at a node has been split lately (`ElementSplitting`).
-  bool isNearSplit(int node) const { return nodes_[node].isNearSplit; }
-  void setNearSplit(int node, bool isNear) { nodes_[node].isNearSplit = isNear; }
-
   /// The node in the middle of the side between two nodes that neighbours share, -1 if it is not
   /// split.
   int middleOf(int a, int b) const;
@@ -84,10 +80,9 @@ class NodeLabels {
  private:
   /// Packed in one word, because there are many nodes.
   struct Node {
-    int owner : 29 = -1;
+    int owner : 30 = -1;
     unsigned hasTie : 1 = false;
     unsigned hasAddedLabels : 1 = false;
-    unsigned isNearSplit : 1 = false;
   };
   /// A node in the middle of a split side.
   struct Midpoint {
