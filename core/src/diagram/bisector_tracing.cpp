@@ -115,12 +115,9 @@ double BisectorTracing::addCell(int element, const FaceEnvelope::Cell& cell) {
     const int side = FaceEnvelope::triangleSide(across);
     if (complex_.twin(element, side) < 0) addUnmatchedSide(element, side, vertex);
   }
-  double area = 0;
-  const auto bary = [&](size_t i) -> const Eigen::Vector3d& {
+  return areaShare(sides.size(), [&](size_t i) -> const Eigen::Vector3d& {
     return placed_[sides[i].vertex].bary;
-  };
-  for (size_t i = 2; i < sides.size(); ++i) area += areaShare(bary(0), bary(i - 1), bary(i));
-  return area;
+  });
 }
 
 void BisectorTracing::addSegment(int element, const FaceEnvelope::Segment& added) {

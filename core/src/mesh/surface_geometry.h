@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
 #include "base/prefetch.h"
 #include "gvd/surface_point.h"
@@ -49,6 +50,14 @@ inline std::array<double, 3> squaredSides(const TriangleMesh& mesh, int face) {
 inline double areaShare(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                         const Eigen::Vector3d& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+/// The same of a convex polygon of `count` corners, which `at(i)` gives.
+template <class At>
+double areaShare(std::size_t count, At at) {
+  double sum = 0;
+  for (std::size_t i = 2; i < count; ++i) sum += areaShare(at(0), at(i - 1), at(i));
+  return sum;
 }
 
 /// The squared distance between two points of one face, along the face; clamped because rounding

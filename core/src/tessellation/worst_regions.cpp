@@ -59,10 +59,9 @@ double distortionOf(const TriangleMesh& mesh, const DistanceField& distances, in
 double areaOfCell(const TriangleMesh& mesh, const Diagram& diagram, int cell) {
   const int face = diagram.cellFace[cell];
   const auto points = diagram.cells[cell];
-  const auto at = [&](int i) { return baryInFace(mesh, diagram.points[points[i]], face); };
-  double share = 0;
-  for (int i = 2; i < static_cast<int>(points.size()); ++i)
-    share += areaShare(at(0), at(i - 1), at(i));
+  const double share = areaShare(points.size(), [&](std::size_t i) {
+    return baryInFace(mesh, diagram.points[points[i]], face);
+  });
   return std::max(0.0, share) * mesh.faceArea(face);
 }
 
