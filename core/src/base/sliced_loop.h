@@ -113,8 +113,8 @@ class SlicedSequence {
   SlicedLoop loop_;  ///< of the current part, if that is a loop
 };
 
-/// Work that is one sequence of parts: its progress is the share of them that is done, and they
-/// fill in the result.
+/// Work that is one sequence of parts, which fill in the result. Its progress is the share of them
+/// that is done, unless `share` is overridden.
 template <class Result>
 class SequentialWork : public SlicedWork<Result> {
  protected:

@@ -107,7 +107,7 @@ class DynamicDiagram::Implementation {
 };
 
 /// Makes the diagram follow a change of its distances, in slices.
-class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramChange> {
+class DynamicDiagram::Implementation::Update final : public SequentialWork<DiagramChange> {
  public:
   /// The change of the distances has begun. The whole diagram is traced if there is none yet.
   Update(Implementation& diagram, bool isFirst) : diagram_(diagram), tracesAll_(isFirst) {}
@@ -118,17 +118,16 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
         [&] { labels_ = IndexSet(labelCount(), diagram_.distances_->changedLabels()); },
         [&] { return diagram_.overlaps_.update(labels_, budget); },
         [&] { return tracesAll_ || traceParts(budget); },
-        forEach(change_.faces, budget, 8, [&](int i) { addFaceLabel(change_.faces[i]); }),
+        forEach(out_.faces, budget, 8, [&](int i) { addFaceLabel(out_.faces[i]); }),
         [&] { return !tracesAll_ || traceAll(budget); },
-        [&] { return diagram_.pieces_.replace(change_, budget); },
-        forEach(change_.labels, budget, kQuickRounds, [&](int i) { return setArea(i); }),
+        [&] { return diagram_.pieces_.replace(out_, budget); },
+        forEach(out_.labels, budget, kQuickRounds, [&](int i) { return setArea(i); }),
         [&] { diagram_.isChanging_ = false; });
   }
   double share() const override {
     const double ofDistances = propagationShare(diagram_.options_);
     return ofDistances * diagram_.distances_->progress() + (1 - ofDistances) * sequence_.progress();
   }
-  DiagramChange result() override { return std::move(change_); }
 
  private:
   int labelCount() const { return diagram_.labelCount(); }
@@ -173,13 +172,13 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
   /// a face with merged points, but not yet the labels of these faces.
   void takeParts(Diagram traced, std::span<const int> merged) {
     const TriangleMesh& mesh = diagram_.mesh_;
-    change_ = {labels_.sorted(), diagram_.distances_->changedFaces().sorted(), {}};
+    out_ = {labels_.sorted(), diagram_.distances_->changedFaces().sorted(), {}};
     for (const int f : merged)
       for (int h = 3 * f; h < 3 * f + 3; ++h)
-        mesh.visitFaces(mesh.tail(h), [&](int around) { change_.faces.push_back(around); });
-    makeSet(change_.faces);
-    change_.part = extract(traced, labels_, change_.faces);
-    change_.part.faceLabel.reserve(change_.faces.size());
+        mesh.visitFaces(mesh.tail(h), [&](int around) { out_.faces.push_back(around); });
+    makeSet(out_.faces);
+    out_.part = extract(traced, labels_, out_.faces);
+    out_.part.faceLabel.reserve(out_.faces.size());
     tracedFaceLabel_ = std::move(traced.faceLabel);
     tracedArea_ = std::move(traced.regionArea);
   }
@@ -187,7 +186,7 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
   /// Where labels do not meet, the nearest one at a corner owns all of a face.
   void addFaceLabel(int face) {
     const int index = diagram_.tracer_.faceIndex(face);
-    change_.part.faceLabel.push_back(
+    out_.part.faceLabel.push_back(
         index >= 0 ? tracedFaceLabel_[index]
                    : nearestOf(diagram_.distances_->at(diagram_.mesh_.tail(3 * face))).label);
   }
@@ -202,14 +201,14 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
     diagram_.completedFaces_ = std::move(traced.completedFaces);
     makeSet(diagram_.mergedFaces_);
     makeSet(diagram_.completedFaces_);
-    change_ = changeTo(std::move(traced.diagram));
+    out_ = changeTo(std::move(traced.diagram));
     return true;
   }
 
   /// Returns how many quick rounds it took.
   long setArea(int i) {
-    const int label = change_.labels[i];
-    std::vector<double>& areas = change_.part.regionArea;
+    const int label = out_.labels[i];
+    std::vector<double>& areas = out_.part.regionArea;
     long rounds = 1;
     if (!tracesAll_) {
       const std::vector<int>& triangles = diagram_.pieces_.regionTriangles(label);
@@ -225,12 +224,10 @@ class DynamicDiagram::Implementation::Update final : public SlicedWork<DiagramCh
 
   Implementation& diagram_;
   bool tracesAll_;
-  SlicedSequence sequence_;
   IndexSet labels_{0};  ///< labels to trace
   std::unique_ptr<SlicedWork<TracedDiagram>> tracing_;
   std::vector<int> tracedFaceLabel_;  ///< of each traced face
   std::vector<double> tracedArea_;    ///< per label, in the traced faces
-  DiagramChange change_;
 };
 
 std::unique_ptr<SlicedWork<DiagramChange>> DynamicDiagram::Implementation::start(

@@ -44,7 +44,7 @@ void addUp(std::uint64_t& sum, std::uint64_t count, std::uint64_t limit, const c
 }
 
 /// Reads a scene in slices.
-class SceneReading final : public SlicedWork<GltfScene> {
+class SceneReading final : public SequentialWork<GltfScene> {
  public:
   SceneReading(std::span<const std::byte> bytes, std::span<const GltfResource> resources,
                const GltfLimits& limits)
@@ -57,7 +57,6 @@ class SceneReading final : public SlicedWork<GltfScene> {
   double share() const override {
     return primitives_.empty() ? 0 : (next_ + adding_.progress()) / (primitives_.size() + 1);
   }
-  GltfScene result() override { return std::move(scene_); }
 
  private:
   /// A primitive of triangles at one of its places in the scene.
@@ -82,8 +81,8 @@ class SceneReading final : public SlicedWork<GltfScene> {
       for (int i = 0; i < count; ++i) addSize({&at, i}, size);
       skins_ += at.node >= 0 && document_.nodes[at.node].isSkinned;
     }
-    scene_.positions.reserve(3 * (size.vertices - size.countedAgain));
-    scene_.triangles.reserve(3 * size.triangles);
+    out_.positions.reserve(3 * (size.vertices - size.countedAgain));
+    out_.triangles.reserve(3 * size.triangles);
   }
 
   /// Adds the size of a primitive to that of the scene.
@@ -136,14 +135,14 @@ class SceneReading final : public SlicedWork<GltfScene> {
         },
         [&] {
           return runPart(reading_, budget, primitiveOf(placed), weightsOf(placed),
-                         placed.at->transform, *accessors_, name_, scene_);
+                         placed.at->transform, *accessors_, name_, out_);
         },
         [&] {
           badAttributes_ += reading_->badAttributes();
           reading_.reset();
-          GltfScene::Part& part = scene_.parts.back();
+          GltfScene::Part& part = out_.parts.back();
           part.triangleCount = triangleCount() - part.firstTriangle;
-          if (part.triangleCount == 0) scene_.parts.pop_back();
+          if (part.triangleCount == 0) out_.parts.pop_back();
         });
   }
 
@@ -151,11 +150,11 @@ class SceneReading final : public SlicedWork<GltfScene> {
   void addPart(const Placed& placed) {
     const auto [mesh, node] = std::pair(placed.at->mesh, placed.at->node);
     const bool isNamed = node >= 0 && !document_.nodes[node].name.empty();
-    scene_.parts.push_back({node, mesh, placed.index, triangleCount(), 0,
-                            isNamed ? document_.nodes[node].name : document_.meshes[mesh].name});
+    out_.parts.push_back({node, mesh, placed.index, triangleCount(), 0,
+                          isNamed ? document_.nodes[node].name : document_.meshes[mesh].name});
   }
 
-  int triangleCount() const { return static_cast<int>(scene_.triangles.size() / 3); }
+  int triangleCount() const { return static_cast<int>(out_.triangles.size() / 3); }
 
   void finish() {
     note(linePrimitives_, "primitives of points or lines were passed over");
@@ -164,19 +163,19 @@ class SceneReading final : public SlicedWork<GltfScene> {
          "normals, texture coordinates or densities that cannot be read were passed over");
     note(skins_, "meshes with a skin were taken unposed");
     note(morphs_, "primitives with morph targets were taken with their default weights");
-    if (scene_.triangles.empty()) {
+    if (out_.triangles.empty()) {
       std::string why = "the scene has no triangles";
-      for (const std::string& text : scene_.notes) why += "; " + text;
+      for (const std::string& text : out_.notes) why += "; " + text;
       reject(why);
     }
-    const std::size_t vertices = scene_.positions.size() / 3;
-    if (!scene_.normals.empty()) scene_.normals.resize(3 * vertices);
-    if (!scene_.uvs.empty()) scene_.uvs.resize(2 * vertices);
-    if (!scene_.density.empty()) scene_.density.resize(vertices, 1);
+    const std::size_t vertices = out_.positions.size() / 3;
+    if (!out_.normals.empty()) out_.normals.resize(3 * vertices);
+    if (!out_.uvs.empty()) out_.uvs.resize(2 * vertices);
+    if (!out_.density.empty()) out_.density.resize(vertices, 1);
   }
 
   void note(int count, const std::string& text) {
-    if (count > 0) scene_.notes.push_back(text + " (" + std::to_string(count) + ")");
+    if (count > 0) out_.notes.push_back(text + " (" + std::to_string(count) + ")");
   }
 
   const std::span<const std::byte> bytes_;
@@ -186,10 +185,9 @@ class SceneReading final : public SlicedWork<GltfScene> {
   std::optional<AccessorReader> accessors_;
   std::vector<PlacedMesh> meshes_;
   std::vector<Placed> primitives_;
-  GltfScene scene_;
   int linePrimitives_ = 0, emptyPrimitives_ = 0, skins_ = 0, morphs_ = 0;
   int badAttributes_ = 0;
-  SlicedSequence sequence_, adding_;
+  SlicedSequence adding_;
   std::size_t next_ = 0;  ///< in `primitives_`
 
   // The current primitive.

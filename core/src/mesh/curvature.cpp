@@ -89,7 +89,7 @@ class CurvatureMeasuring final : public SequentialWork<VertexCurvatures> {
   std::vector<Vector3d> areaGradients_;
 };
 
-class DensityMaking final : public SlicedWork<std::vector<double>> {
+class DensityMaking final : public SequentialWork<std::vector<double>> {
  public:
   DensityMaking(const TriangleMesh& mesh, const CurvatureDensityOptions& options)
       : mesh_(mesh), options_(options), measuring_(mesh) {
@@ -108,10 +108,10 @@ class DensityMaking final : public SlicedWork<std::vector<double>> {
           areas_ = measuring_.takeAreas();
           curvatures_ = measuring_.take();
         },
-        [&] { return fillInSlices(density_, vertices, 0., budget); }, forVertices([&](int v) {
+        [&] { return fillInSlices(out_, vertices, 0., budget); }, forVertices([&](int v) {
           const double h = curvatures_.mean[v], k = curvatures_.gaussian[v];
           // κ₁² + κ₂² >= 2 |κ₁ κ₂|, which the discrete values may violate at sharp corners.
-          density_[v] = std::max(4 * h * h - 2 * k, 2 * std::abs(k));
+          out_[v] = std::max(4 * h * h - 2 * k, 2 * std::abs(k));
         }),
         [&] { return fillInSlices(sums_, vertices, 0., budget); },
         [&] {
@@ -119,12 +119,11 @@ class DensityMaking final : public SlicedWork<std::vector<double>> {
             if (!smooth(budget)) return false;
           return true;
         },
-        forVertices([&](int v) { mean_ += areas_[v] * density_[v] / mesh_.area(); }),
+        forVertices([&](int v) { mean_ += areas_[v] * out_[v] / mesh_.area(); }),
         [&] { isFlat_ = !(mean_ * mesh_.area() > 2 * kDefectRounding * vertices); },
-        forVertices([&](int v) { density_[v] = scaled(density_[v]); }));
+        forVertices([&](int v) { out_[v] = scaled(out_[v]); }));
   }
   double share() const override { return (measuring_.progress() + sequence_.progress()) / 2; }
-  std::vector<double> result() override { return std::move(density_); }
 
  private:
   /// Sets every vertex to the mean of the faces around it, weighted by area; the value of a face is
@@ -132,11 +131,11 @@ class DensityMaking final : public SlicedWork<std::vector<double>> {
   bool smooth(long& budget) {
     const auto addToSums = [&](int f) {
       const int a = mesh_.tail(3 * f), b = mesh_.tail(3 * f + 1), c = mesh_.tail(3 * f + 2);
-      const double share = mesh_.faceArea(f) * (density_[a] + density_[b] + density_[c]) / 9;
+      const double share = mesh_.faceArea(f) * (out_[a] + out_[b] + out_[c]) / 9;
       for (const int v : {a, b, c}) sums_[v] += share;
     };
     const auto takeMean = [&](int v) {
-      density_[v] = sums_[v] / areas_[v];
+      out_[v] = sums_[v] / areas_[v];
       sums_[v] = 0;
     };
     return smoothing_.run(forEach(mesh_.faceCount(), budget, 8, addToSums),
@@ -151,10 +150,10 @@ class DensityMaking final : public SlicedWork<std::vector<double>> {
   const TriangleMesh& mesh_;
   const CurvatureDensityOptions options_;
   CurvatureMeasuring measuring_;
-  SlicedSequence sequence_, smoothing_;
+  SlicedSequence smoothing_;
   std::vector<double> areas_;
   VertexCurvatures curvatures_;
-  std::vector<double> density_, sums_;
+  std::vector<double> sums_;
   int round_ = 0;
   double mean_ = 0;  ///< of the density, over the surface
   bool isFlat_ = false;

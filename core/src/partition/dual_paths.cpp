@@ -28,7 +28,7 @@ struct Crossing {
 /// the squared distances is quadratic along the segment. As both distances are equal there, their
 /// sum is least at the same place: at the vertex of the parabola through three values. Otherwise an
 /// end of the segment may be nearer.
-class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
+class DualPathFinding final : public SequentialWork<std::vector<DualPath>> {
  public:
   DualPathFinding(const TriangleMesh& mesh, const Diagram& diagram, const DistanceField& field)
       : mesh_(mesh), diagram_(diagram), field_(field), nearest_(diagram.arcLabels.size()) {
@@ -45,20 +45,19 @@ class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
         forSegments([&](int i) { addEvenPlaces(i); }), [&] { return offerPlaces(budget); },
         forSegments([&](int i) { addLeastPlace(i); }), [&] { return offerPlaces(budget); },
         [&] {
-          for (; paths_.size() < nearest_.size(); budget -= kPathUnits) {
+          for (; out_.size() < nearest_.size(); budget -= kPathUnits) {
             if (budget <= 0) return false;
-            addPath(static_cast<int>(paths_.size()));
+            addPath(static_cast<int>(out_.size()));
           }
           return true;
         });
   }
   double share() const override {
     const double ofPaths =
-        nearest_.empty() ? 1 : static_cast<double>(paths_.size()) / nearest_.size();
+        nearest_.empty() ? 1 : static_cast<double>(out_.size()) / nearest_.size();
     constexpr double kShareOfPaths = 0.2;  // the last of five parts
     return sequence_.progress() + kShareOfPaths * ofPaths;
   }
-  std::vector<DualPath> result() override { return std::move(paths_); }
 
  private:
   /// A point of a segment, by its position along the segment.
@@ -126,7 +125,7 @@ class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
 
   /// Adds the path of an arc; without points if there is none.
   void addPath(int arc) {
-    DualPath& path = paths_.emplace_back();
+    DualPath& path = out_.emplace_back();
     path.labels = diagram_.arcLabels[arc];
     const SurfacePoint& crossing = nearest_[arc].point;
     if (crossing.face < 0) return;
@@ -146,14 +145,13 @@ class DualPathFinding final : public SlicedWork<std::vector<DualPath>> {
   const TriangleMesh& mesh_;
   const Diagram& diagram_;
   const DistanceField& field_;
-  SlicedSequence sequence_, round_;
+  SlicedSequence round_;
   std::vector<Place> places_;
   std::vector<LabelledPoint> points_;  ///< both labels at each place
   std::unique_ptr<SlicedWork<std::vector<double>>> atPoints_;
   std::vector<double> distances_;    ///< of both labels at each place
   std::vector<double> squaredSums_;  ///< of the two distances at each place
   std::vector<Crossing> nearest_;    ///< of each arc
-  std::vector<DualPath> paths_;
 };
 
 }  // namespace

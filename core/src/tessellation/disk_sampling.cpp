@@ -35,19 +35,15 @@ namespace {
 /// Points that keep their distance. Each point has its distance at all vertices of the faces that
 /// its disk reaches, so whether a place is free follows from its own face, and in a large face from
 /// the disks near the place.
-class DiskSampling final : public SlicedWork<PoissonDisk> {
+class DiskSampling final : public SequentialWork<PoissonDisk> {
  public:
   /// Throws darts until there are `count` points, or so many darts in a row have missed that there
   /// is probably little room left. Then, without a count, the vertices that are free are added;
   /// with a count, the radius shrinks.
   DiskSampling(const TriangleMesh& mesh, std::optional<int> count, double radius,
                std::uint64_t seed)
-      : mesh_(mesh),
-        count_(count),
-        radius_(radius),
-        random_(seed),
-        sweep_(mesh),
-        disks_(mesh, radius) {
+      : mesh_(mesh), count_(count), random_(seed), sweep_(mesh), disks_(mesh, radius) {
+    out_.radius = radius;
     if (count) requireCount(*count);
   }
 
@@ -56,18 +52,17 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
         [&] { return sweep_.prepare(budget); }, [&] { return disks_.prepare(budget); },
         [&] { return sumAreas(mesh_, sums_, budget); }, [&] { return addAll(budget); },
         [&] {
-          return count_ || runPart(covering_, budget, mesh_, radius_,
-                                   std::numeric_limits<size_t>::max(), points_);
+          return count_ || runPart(covering_, budget, mesh_, out_.radius,
+                                   std::numeric_limits<size_t>::max(), out_.points);
         });
   }
   double share() const override {
-    const auto points = static_cast<double>(points_.size());
+    const auto points = static_cast<double>(out_.points.size());
     if (count_) return *count_ > 0 ? points / *count_ : 0;
     if (covering_) return (1 + covering_->progress()) / 2;
     constexpr double kDensity = 0.7;  // points per squared radius, when hardly any more fit
-    return std::min(points * radius_ * radius_ / (kDensity * mesh_.area()), 1.0) / 2;
+    return std::min(points * out_.radius * out_.radius / (kDensity * mesh_.area()), 1.0) / 2;
   }
-  PoissonDisk result() override { return {std::move(points_), radius_}; }
 
  private:
   bool addAll(long& budget) {
@@ -76,7 +71,7 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
       if (isDone()) return true;
       if (count_ && isFull()) {
         constexpr double kShrink = 0.95;  // nearer to 1, points are more even, and take longer
-        radius_ *= kShrink;
+        out_.radius *= kShrink;
         misses_ = 0;
       }
       if (!setReach(budget) || budget <= 0) return false;
@@ -86,23 +81,23 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
 
   /// Lets the sweep reach a little farther than the radius.
   bool setReach(long& budget) {
-    if (reachedRadius_ == radius_) return true;
+    if (reachedRadius_ == out_.radius) return true;
     if (!loop_.run(mesh_.vertexCount(), budget, kQuickRounds,
-                   [&](int v) { sweep_.setReach(v, radius_ + 2 * mesh_.longestEdge(v)); }))
+                   [&](int v) { sweep_.setReach(v, out_.radius + 2 * mesh_.longestEdge(v)); }))
       return false;
-    reachedRadius_ = radius_;
+    reachedRadius_ = out_.radius;
     return true;
   }
 
   bool isDone() const {
-    return count_ ? static_cast<int>(points_.size()) == *count_
+    return count_ ? static_cast<int>(out_.points.size()) == *count_
                   : nextVertex_ == mesh_.vertexCount();
   }
 
   /// Whether so many darts in a row have missed that there is probably little room left.
   bool isFull() const {
     constexpr size_t kFewestMisses = 100;
-    return misses_ >= points_.size() + kFewestMisses;
+    return misses_ >= out_.points.size() + kFewestMisses;
   }
 
   /// A dart, or a vertex if darts are over.
@@ -116,7 +111,7 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
     ++misses_;
     if (!isFree(p, budget)) return;
     if (nextVertex_ == 0) misses_ = 0;
-    points_.push_back(p);
+    out_.points.push_back(p);
     sweep_.start(p);
     isSpreading_ = true;
   }
@@ -136,7 +131,7 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
       const int f = TriangleMesh::faceOf(h);
       const DiskGrid::Distances distances(sweep_.distance(v), sweep_.distance(mesh_.tail(h + 1)),
                                           sweep_.distance(mesh_.tail(h + 2)));
-      if (distances.maxCoeff() < kInfinity) disks_.add(f, distances, radius_);
+      if (distances.maxCoeff() < kInfinity) disks_.add(f, distances, out_.radius);
     }
   }
 
@@ -148,7 +143,7 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
       const DiskGrid::Distances& d = disks_[disk];
       const double squared =
           p.bary[0] * d[0] * d[0] + p.bary[1] * d[1] * d[1] + p.bary[2] * d[2] * d[2] - excess;
-      if (squared < radius_ * radius_) return false;
+      if (squared < out_.radius * out_.radius) return false;
     }
     return true;
   }
@@ -158,11 +153,10 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
 
   const TriangleMesh& mesh_;
   const std::optional<int> count_;
-  double radius_;
   double reachedRadius_ = 0;  ///< the radius that `setReach` was last done for
   std::mt19937_64 random_;
 
-  SlicedSequence sequence_, spread_;
+  SlicedSequence spread_;
   SlicedLoop loop_;
   dgpc::UnfoldingSweep sweep_;
   std::vector<double> sums_;  ///< of the areas of faces
@@ -170,7 +164,6 @@ class DiskSampling final : public SlicedWork<PoissonDisk> {
   int nextVertex_ = 0;        ///< to be tried, after all darts
   bool isSpreading_ = false;
   DiskGrid disks_;
-  std::vector<SurfacePoint> points_;
   std::optional<VertexCovering> covering_;
 };
 

@@ -23,7 +23,7 @@ namespace gvd {
 namespace {
 
 /// Adds, one after another, the vertex that is farthest from all points so far.
-class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
+class FarthestSampling final : public SequentialWork<std::vector<SurfacePoint>> {
  public:
   FarthestSampling(const TriangleMesh& mesh, int count, std::uint64_t seed, double coveringRadius)
       : mesh_(mesh),
@@ -47,21 +47,20 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
         [&] {
           return coveringRadius_ == 0 || isComplete() ||
                  runPart(covering_, budget, mesh_, coveringRadius_, static_cast<size_t>(count_),
-                         points_);
+                         out_);
         });
   }
   double share() const override {
-    return count_ > 0 ? static_cast<double>(points_.size()) / count_ : sequence_.progress();
+    return count_ > 0 ? static_cast<double>(out_.size()) / count_ : sequence_.progress();
   }
-  std::vector<SurfacePoint> result() override { return std::move(points_); }
 
  private:
   void add(const SurfacePoint& point) {
-    points_.push_back(point);
+    out_.push_back(point);
     sweep_.start(point);
   }
 
-  bool isComplete() const { return static_cast<int>(points_.size()) == count_; }
+  bool isComplete() const { return static_cast<int>(out_.size()) == count_; }
 
   /// Takes the distance of a vertex from the last point. A distance from the nearest point is right
   /// if the sweep reaches both ends of every edge that the path crosses. These ends are at most an
@@ -100,12 +99,11 @@ class FarthestSampling final : public SlicedWork<std::vector<SurfacePoint>> {
   const int count_;
   const double coveringRadius_;
 
-  SlicedSequence sequence_, spread_;
+  SlicedSequence spread_;
   dgpc::UnfoldingSweep sweep_;
   std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> first_;
   std::vector<double> least_;                          ///< from the nearest point, per vertex
   std::priority_queue<std::pair<double, int>> queue_;  ///< vertices negated: the lowest first
-  std::vector<SurfacePoint> points_;
   std::optional<VertexCovering> covering_;
 };
 

@@ -237,7 +237,7 @@ void WorstRegions::follow(const DiagramChange& change) {
 namespace {
 
 /// Inserts a site for the worst region, again and again.
-class WorstFirstSampling final : public SlicedWork<std::vector<SurfacePoint>> {
+class WorstFirstSampling final : public SequentialWork<std::vector<SurfacePoint>> {
  public:
   WorstFirstSampling(const TriangleMesh& mesh, int count, std::uint64_t seed, WorstRegion worst)
       : mesh_(mesh),
@@ -246,20 +246,18 @@ class WorstFirstSampling final : public SlicedWork<std::vector<SurfacePoint>> {
         sampling_(startUniform(mesh, std::min(count, 1), seed)) {}
 
   bool advance(long budget) override {
-    return sequence_.run([&] { return sampling_->step(budget); },
-                         [&] { points_ = sampling_->take(); },
+    return sequence_.run([&] { return sampling_->step(budget); }, [&] { out_ = sampling_->take(); },
                          [&] { return isComplete() || addOthers(budget); });
   }
   double share() const override {
-    return count_ > 0 ? static_cast<double>(points_.size()) / count_ : 0;
+    return count_ > 0 ? static_cast<double>(out_.size()) / count_ : 0;
   }
-  std::vector<SurfacePoint> result() override { return std::move(points_); }
 
  private:
   bool addOthers(long budget) {
     return adding_.run(
         [&] {
-          if (!making_) making_ = DynamicDiagram::start(mesh_, points_);
+          if (!making_) making_ = DynamicDiagram::start(mesh_, out_);
           return making_->step(budget);
         },
         [&] {
@@ -280,8 +278,8 @@ class WorstFirstSampling final : public SlicedWork<std::vector<SurfacePoint>> {
 
   /// Adds the place for the next point. The last one need not be inserted.
   void addPoint() {
-    points_.push_back(regions_->point());
-    if (!isComplete()) insertion_ = diagram_->startInsert(points_.back());
+    out_.push_back(regions_->point());
+    if (!isComplete()) insertion_ = diagram_->startInsert(out_.back());
   }
 
   /// One site per step at the most, as each part of a round may use up the budget.
@@ -296,14 +294,13 @@ class WorstFirstSampling final : public SlicedWork<std::vector<SurfacePoint>> {
     return isComplete();
   }
 
-  bool isComplete() const { return static_cast<int>(points_.size()) == count_; }
+  bool isComplete() const { return static_cast<int>(out_.size()) == count_; }
 
   const TriangleMesh& mesh_;
   const int count_;
   const WorstRegion worst_;
-  SlicedSequence sequence_, adding_, round_;
+  SlicedSequence adding_, round_;
   std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> sampling_;  ///< of the first point
-  std::vector<SurfacePoint> points_;
   std::unique_ptr<SlicedWork<DynamicDiagram>> making_;
   std::optional<DynamicDiagram> diagram_;
   Diagram first_;  ///< of the first point
