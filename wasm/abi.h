@@ -24,6 +24,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/sliced_loop.h"
 #include "gvd/error.h"
 #include "gvd/sliced_work.h"
 

@@ -80,7 +80,7 @@ class VertexDistances final : public PointLookup {
 };
 
 /// Makes a diagram: distances first, then what is traced of them.
-class VoronoiMaking final : public SlicedWork<Record> {
+class VoronoiMaking final : public SequentialWork<Record> {
  public:
   /// Takes a handle with a mesh, sites, metric and options.
   explicit VoronoiMaking(std::unique_ptr<DiagramHandle> voronoi)
@@ -88,12 +88,14 @@ class VoronoiMaking final : public SlicedWork<Record> {
         propagation_(propagate(voronoi_->mesh(), voronoi_->sites, voronoi_->metric)) {}
 
   bool advance(long budget) override {
-    if (tracing_) return tracing_->step(budget);
-    if (!propagation_->step(budget)) return false;
-    voronoi_->distances = propagation_->take();
-    tracing_ = startDiagram(voronoi_->mesh(), voronoi_->field(),
-                            static_cast<int>(voronoi_->sites.size()), voronoi_->options);
-    return false;
+    return sequence_.run([&] { return propagation_->step(budget); },
+                         [&] {
+                           voronoi_->distances = propagation_->take();
+                           tracing_ = startDiagram(voronoi_->mesh(), voronoi_->field(),
+                                                   static_cast<int>(voronoi_->sites.size()),
+                                                   voronoi_->options);
+                         },
+                         [&] { return tracing_->step(budget); });
   }
   double share() const override {
     const double ofDistances = propagationShare(voronoi_->options);
@@ -147,7 +149,7 @@ class LocatedPoints final : public PointLookup {
 
 /// `DiagramChange`: inserts, removes or moves a site. The first change makes the `DynamicDiagram`.
 /// The worst regions follow, if there are any.
-class SiteChanging final : public SlicedWork<Record> {
+class SiteChanging final : public SequentialWork<Record> {
  public:
   /// Without a label, inserts the site; without a site, removes that of the label. The diagram must
   /// outlive the steps.
@@ -155,28 +157,23 @@ class SiteChanging final : public SlicedWork<Record> {
       : voronoi_(voronoi), label_(label), site_(std::move(site)) {}
 
   bool advance(long budget) override {
-    if (!change_) {
-      if (!makeDynamic(budget)) return false;
-      start();
-    }
-    if (!following_) {
-      if (!change_->step(budget)) return false;
-      voronoi_.traced.reset();
-      changed_.emplace(change_->take());
-      regions_ = std::move(voronoi_.worstRegions);
-      if (!regions_) return true;
-      following_ = regions_->startFollow(*changed_);
-    }
-    if (!following_->step(budget)) return false;
-    voronoi_.worstRegions = std::move(regions_);
-    return true;
+    return sequence_.run([&] { return makeDynamic(budget); }, [&] { start(); },
+                         [&] { return change_->step(budget); },
+                         [&] {
+                           voronoi_.traced.reset();
+                           changed_ = change_->take();
+                           regions_ = std::move(voronoi_.worstRegions);
+                           if (regions_) following_ = regions_->startFollow(changed_);
+                         },
+                         [&] { return !following_ || following_->step(budget); },
+                         [&] { voronoi_.worstRegions = std::move(regions_); });
   }
   double share() const override {
     if (making_) return making_->progress() / 2;
     const double own = change_ ? change_->progress() : 0;
     return wasMade_ ? (1 + own) / 2 : own;
   }
-  Record result() override { return changeRecord(voronoi_.mesh(), *label_, std::move(*changed_)); }
+  Record result() override { return changeRecord(voronoi_.mesh(), *label_, std::move(changed_)); }
 
  private:
   /// Makes the `DynamicDiagram` if there is none yet; true when it is there.
@@ -206,7 +203,7 @@ class SiteChanging final : public SlicedWork<Record> {
   std::unique_ptr<SlicedWork<DynamicDiagram>> making_;
   bool wasMade_ = false;
   std::unique_ptr<SlicedWork<DiagramChange>> change_;
-  std::optional<DiagramChange> changed_;
+  DiagramChange changed_;
   /// Those of the handle while they follow the change; the handle has none if that does not end.
   std::unique_ptr<WorstRegions> regions_;
   std::unique_ptr<SlicedSteps> following_;

@@ -32,41 +32,40 @@ constexpr Named<Violation::Kind> kViolationKinds[] = {
     {"no-manifold", Violation::kNoManifold},
 };
 
+/// The share done of a recording, given that of its parts: the work on its result, null once that
+/// is done, takes most of the time.
+double shareOfRecording(const SlicedSteps* work, double ofParts) {
+  constexpr double kShareOfWork = 0.9;
+  return kShareOfWork * (work ? work->progress() : 1) + (1 - kShareOfWork) * ofParts;
+}
+
 /// `Partition`.
-class PartitionRecording final : public SlicedWork<Record> {
+class PartitionRecording final : public SequentialWork<Record> {
  public:
   PartitionRecording(DiagramOnMesh on, const PartitionOptions& options)
       : on_(std::move(on)), work_(startPartition(*on_.mesh, *on_.diagram, options)) {}
 
   bool advance(long budget) override {
-    if (work_) {
-      if (!work_->step(budget)) return false;
-      partition_ = work_->take();
-      work_.reset();
-      corners_.reserve(3 * partition_.triangles.size());
-    }
-    constexpr int kTrianglesPerUnit = 4;
-    const int count = static_cast<int>(partition_.triangles.size());
-    const long most = budget < count ? budget * kTrianglesPerUnit : count;
-    for (const long end = std::min<long>(count, next_ + most); next_ < end; ++next_) addCorners();
-    if (next_ < count) return false;
-    if (!points_) points_.emplace(*on_.mesh, partition_.points, false);
-    return points_->step(budget);
+    return sequence_.run(
+        [&] { return work_->step(budget); },
+        [&] {
+          partition_ = work_->take();
+          work_.reset();
+          corners_.reserve(3 * partition_.triangles.size());
+        },
+        forEach(partition_.triangles, budget, 4, [&](int t) { addCorners(t); }),
+        [&] { return runPart(points_, budget, *on_.mesh, partition_.points, false); },
+        [&] {
+          out_ = partitionRecord(*on_.mesh, std::move(partition_), points_->take(),
+                                 std::move(corners_));
+        });
   }
-  double share() const override {
-    constexpr double kPartitionShare = 0.9;
-    if (work_) return kPartitionShare * work_->progress();
-    const auto count = static_cast<double>(partition_.triangles.size());
-    return count > 0 ? kPartitionShare + (1 - kPartitionShare) * next_ / count : 1;
-  }
-  Record result() override {
-    return partitionRecord(*on_.mesh, std::move(partition_), points_->take(), std::move(corners_));
-  }
+  double share() const override { return shareOfRecording(work_.get(), sequence_.progress()); }
 
  private:
-  void addCorners() {
-    const Eigen::Matrix3d corners = cornersInFace(*on_.mesh, partition_, next_);
-    int& face = partition_.triangleFace[next_];
+  void addCorners(int t) {
+    const Eigen::Matrix3d corners = cornersInFace(*on_.mesh, partition_, t);
+    int& face = partition_.triangleFace[t];
     for (const auto& corner : corners.colwise())
       corners_.push_back(on_.mesh->toInput({face, corner}).bary);
     face = on_.mesh->inputFace(face);
@@ -76,37 +75,32 @@ class PartitionRecording final : public SlicedWork<Record> {
   std::unique_ptr<SlicedWork<Partition>> work_;
   Partition partition_;
   std::vector<Eigen::Vector3d> corners_;
-  int next_ = 0;  ///< triangle
   std::optional<PointsRecording> points_;
 };
 
 /// `PolygonMesh`.
-class PolygonRecording final : public SlicedWork<Record> {
+class PolygonRecording final : public SequentialWork<Record> {
  public:
   PolygonRecording(DiagramOnMesh on, std::unique_ptr<SlicedWork<PolygonMesh>> making)
       : on_(std::move(on)), making_(std::move(making)) {}
 
   bool advance(long budget) override {
-    if (making_) {
-      if (!making_->step(budget)) return false;
-      polygons_ = making_->take();
-      making_.reset();
-      triangulation_ = startTriangulation(polygons_);
-      topology_ = startTopology(polygons_);
-      points_.emplace(*on_.mesh, polygons_.points, false);
-      return false;
-    }
-    return triangulation_->step(budget) && topology_->step(budget) && points_->step(budget);
+    return sequence_.run(
+        [&] { return making_->step(budget); },
+        [&] {
+          polygons_ = making_->take();
+          making_.reset();
+          triangulation_ = startTriangulation(polygons_);
+          topology_ = startTopology(polygons_);
+        },
+        [&] { return triangulation_->step(budget); }, [&] { return topology_->step(budget); },
+        [&] { return runPart(points_, budget, *on_.mesh, polygons_.points, false); },
+        [&] {
+          out_ = polygonRecord(std::move(polygons_), points_->take(), triangulation_->take(),
+                               topology_->take());
+        });
   }
-  double share() const override {
-    constexpr double kMakingShare = 0.9;
-    return making_ ? kMakingShare * making_->progress()
-                   : kMakingShare + (1 - kMakingShare) * triangulation_->progress();
-  }
-  Record result() override {
-    return polygonRecord(std::move(polygons_), points_->take(), triangulation_->take(),
-                         topology_->take());
-  }
+  double share() const override { return shareOfRecording(making_.get(), sequence_.progress()); }
 
  private:
   const DiagramOnMesh on_;
@@ -118,37 +112,26 @@ class PolygonRecording final : public SlicedWork<Record> {
 };
 
 /// `DualPaths`.
-class DualPathRecording final : public SlicedWork<Record> {
+class DualPathRecording final : public SequentialWork<Record> {
  public:
   DualPathRecording(DiagramOnMesh on, const DistanceField& field)
       : on_(std::move(on)), finding_(startDualPaths(*on_.mesh, *on_.diagram, field)) {}
 
   bool advance(long budget) override {
-    if (points_) return points_->step(budget);
-    if (finding_) {
-      if (!finding_->step(budget)) return false;
-      paths_ = finding_->take();
-      finding_.reset();
-    }
-    for (; labels_.size() < paths_.size(); --budget) {
-      if (budget <= 0) return false;
-      join(paths_[labels_.size()]);
-    }
-    points_.emplace(*on_.mesh, joined_, true);
-    return false;
+    return sequence_.run([&] { return finding_->step(budget); },
+                         [&] {
+                           paths_ = finding_->take();
+                           finding_.reset();
+                         },
+                         forEach(paths_, budget, 1, [&](int i) { join(paths_[i]); }),
+                         [&] { return runPart(points_, budget, *on_.mesh, joined_, true); },
+                         [&] {
+                           out_.add("labels", std::move(labels_));
+                           out_.add("offset", std::move(offset_));
+                           out_.add("points", points_->take());
+                         });
   }
-  double share() const override {
-    constexpr double kFindingShare = 0.9;
-    return finding_ ? kFindingShare * finding_->progress()
-                    : kFindingShare + (points_ ? (1 - kFindingShare) * points_->progress() : 0);
-  }
-  Record result() override {
-    Record out;
-    out.add("labels", std::move(labels_));
-    out.add("offset", std::move(offset_));
-    out.add("points", points_->take());
-    return out;
-  }
+  double share() const override { return shareOfRecording(finding_.get(), sequence_.progress()); }
 
  private:
   void join(const DualPath& path) {

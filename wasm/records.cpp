@@ -192,18 +192,13 @@ Record topologyRecord(const PolygonTopology& topology) {
   return out;
 }
 
-class DiagramRecording final : public SlicedWork<Record> {
+class DiagramRecording final : public SequentialWork<Record> {
  public:
   explicit DiagramRecording(DiagramOnMesh on)
       : on_(std::move(on)), points_(*on_.mesh, on_.diagram->points, true) {}
 
-  /// Of a large diagram, each piece takes as long as a step may take.
   bool advance(long budget) override {
-    if (!points_.step(budget)) return false;
-    if (piece_ == std::size(kPieces)) return true;
-    const auto& [name, record] = kPieces[piece_++];
-    out_.add(name, record(*on_.mesh, *on_.diagram));
-    return false;
+    return sequence_.run([&] { return points_.step(budget); }, [&] { return addPiece(); });
   }
   double share() const override { return points_.progress(); }
   Record result() override {
@@ -214,14 +209,21 @@ class DiagramRecording final : public SlicedWork<Record> {
   }
 
  private:
+  /// Of a large diagram, each piece takes as long as a step may take.
+  bool addPiece() {
+    if (piece_ == std::size(kPieces)) return true;
+    const auto& [name, record] = kPieces[piece_++];
+    out_.add(name, record(*on_.mesh, *on_.diagram));
+    return false;
+  }
+
   const DiagramOnMesh on_;
   PointsRecording points_;
   std::size_t piece_ = 0;  ///< the next one
-  Record out_;
 };
 
 Record recorded(PointsRecording points) {
-  long budget = std::numeric_limits<long>::max();
+  long budget = kUnlimited;
   points.step(budget);
   return points.take();
 }
@@ -237,18 +239,13 @@ PointsRecording::PointsRecording(const TriangleMesh& mesh, std::span<const Surfa
 }
 
 bool PointsRecording::step(long& budget) {
-  constexpr std::size_t kPointsPerUnit = 8;
-  for (; face_.size() < points_.size(); --budget) {
-    if (budget <= 0) return false;
-    const std::size_t rest = points_.size() - face_.size();
-    for (const SurfacePoint& p : points_.subspan(face_.size(), std::min(rest, kPointsPerUnit))) {
-      const SurfacePoint input = mesh_.toInput(p);
-      face_.push_back(input.face);
-      bary_.push_back(input.bary);
-      if (isPlaced_) position_.push_back(mesh_.position(p));
-    }
-  }
-  return true;
+  constexpr long kPointsPerUnit = 8;
+  return loop_.run(points_.size(), budget, kPointsPerUnit, [&](int i) {
+    const SurfacePoint input = mesh_.toInput(points_[i]);
+    face_.push_back(input.face);
+    bary_.push_back(input.bary);
+    if (isPlaced_) position_.push_back(mesh_.position(points_[i]));
+  });
 }
 
 double PointsRecording::progress() const {

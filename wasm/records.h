@@ -40,6 +40,7 @@ class PointsRecording {
   const TriangleMesh& mesh_;
   const std::span<const SurfacePoint> points_;
   const bool isPlaced_;
+  SlicedLoop loop_;
   std::vector<int> face_;
   std::vector<Eigen::Vector3d> bary_, position_;
 };
