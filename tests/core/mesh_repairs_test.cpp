@@ -317,6 +317,16 @@ TEST(OpenSeams, AreFoundInLongBoundaries) {
   EXPECT_FALSE(hasOpenSeams(3e-6));
 }
 
+TEST(OpenSeams, AreFoundBesideAShortEdge) {
+  // The last vertex is near the first one, which an edge joins it to, and the second one.
+  Shape shape;
+  for (const Eigen::Vector3d& p : {Eigen::Vector3d{0, 0, 0}, {4e-6, 0, 0}, {2e-6, 0, 0}})
+    shape.addVertex(p);
+  shape.addTriangle(0, 2, shape.addVertex({0, 1, 0}));
+  shape.addTriangle(1, shape.addVertex({2, -1, 0}), shape.addVertex({2, 0, 0}));
+  EXPECT_TRUE(shape.mesh().topology().hasOpenSeams);
+}
+
 TEST(OpenSeams, AreNeitherShortEdgesNorCutEdges) {
   Shape shape = shapes::grid(1, 1);
   const int near = shape.addVertex({1 + 1e-9, 0, 0});

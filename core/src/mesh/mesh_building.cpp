@@ -327,11 +327,11 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   /// Edges that were cut leave vertices at one position; these are no seam.
   void lookForSeam(int v) {
     if (mesh_.topology_.hasOpenSeams) return;
-    const int near = boundarySamples_->firstNear(mesh_.position(v));
-    if (near < 0 || mesh_.position(near) == mesh_.position(v)) return;
-    bool isJoined = false;
-    mesh_.visitNeighbours(v, [&](int neighbour) { isJoined |= neighbour == near; });
-    if (!isJoined) mesh_.topology_.hasOpenSeams = true;
+    for (const int near : boundarySamples_->near(mesh_.position(v))) {
+      bool isSeparate = mesh_.position(near) != mesh_.position(v);
+      mesh_.visitNeighbours(v, [&](int neighbour) { isSeparate &= neighbour != near; });
+      mesh_.topology_.hasOpenSeams |= isSeparate;
+    }
   }
 
   void countTopology() {

@@ -23,20 +23,19 @@ void PointGrid::add(int v) {
   last = static_cast<int>(entries_.size()) - 1;
 }
 
-int PointGrid::firstNear(const Eigen::Vector3d& p) const {
+std::vector<int> PointGrid::near(const Eigen::Vector3d& p) const {
   // Rounding is monotone, so no point within the radius is in a cube beyond these.
   const Eigen::Vector3d reach = Eigen::Vector3d::Constant(radius_);
   const Cube low = cubeOf(p - reach), high = cubeOf(p + reach);
-  int first = -1;
+  std::vector<int> near;
   for (double x = low[0]; x <= high[0]; x = after(x))
     for (double y = low[1]; y <= high[1]; y = after(y))
       for (double z = low[2]; z <= high[2]; z = after(z))
         for (int i = last_[bucketOf({x, y, z})]; i >= 0; i = entries_[i].before) {
           const int v = entries_[i].point;
-          if ((first < 0 || v < first) && (positionOf(positions_, v) - p).norm() <= radius_)
-            first = v;
+          if ((positionOf(positions_, v) - p).norm() <= radius_) near.push_back(v);
         }
-  return first;
+  return near;
 }
 
 /// The cube of a point. Cubes are four radii wide: a ball meets eight at most. Coordinates are

@@ -21,8 +21,8 @@ class PointGrid {
   }
 
   void add(int v);
-  /// The lowest index of a point within the radius, -1 if there is none.
-  int firstNear(const Eigen::Vector3d& p) const;
+  /// The points within the radius, in no particular order.
+  std::vector<int> near(const Eigen::Vector3d& p) const;
 
  private:
   using Cube = std::array<double, 3>;

@@ -63,11 +63,8 @@ void VertexWelding::weldToNear(int v) {
     if (same >= 0) same = representative_[same];
     return;
   }
-  const int near = keptVertices_->firstNear(positionOf(positions_, v));
-  if (near >= 0)
-    same = near;
-  else
-    keptVertices_->add(v);
+  for (const int near : keptVertices_->near(positionOf(positions_, v))) same = std::min(same, near);
+  if (same == v) keptVertices_->add(v);
 }
 
 }  // namespace gvd
