@@ -104,8 +104,7 @@ class WorstRegions::Update final : public SlicedSteps {
     const std::size_t count = labels_.empty() ? 0 : labels_.back() + 1;
     if (of_.regions_.size() < count) of_.regions_.resize(count);
     keptShares_.resize(labels_.size());
-    isChanged_.resize(of_.regions_.size());
-    for (const int label : labels_) isChanged_[label] = true;
+    changed_ = IndexSet(static_cast<int>(of_.regions_.size()), labels_);
   }
 
   /// Empties a region but for its shares in unchanged faces.
@@ -135,7 +134,7 @@ class WorstRegions::Update final : public SlicedSteps {
   }
 
   void addShare(int face, int label, double area) {
-    if (!isChanged_[label]) return;
+    if (!changed_.contains(label)) return;
     const double distortion = of_.worst_ == WorstRegion::kDistortion
                                   ? area * distortionOf(*of_.mesh_, *of_.distances_, label, face)
                                   : 0;
@@ -192,7 +191,7 @@ class WorstRegions::Update final : public SlicedSteps {
   const std::span<const int> labels_, faces_;
   const Diagram& part_;
   SlicedSequence sequence_;
-  std::vector<char> isChanged_;          ///< per label
+  IndexSet changed_{0};                  ///< the changed labels
   std::vector<std::size_t> keptShares_;  ///< per changed label, their number; new ones follow
   int nextCell_ = 0;
   const Region none_;
