@@ -26,7 +26,7 @@ ClosestPointQuery::ClosestPointQuery(ClosestPointQuery&&) noexcept = default;
 ClosestPointQuery& ClosestPointQuery::operator=(ClosestPointQuery&&) noexcept = default;
 
 ClosestPoint ClosestPointQuery::closestTo(const Eigen::Vector3d& place) const {
-  const TriangleTree::Nearest nearest = tree_->nearest(place);
+  const NearestOfTriangles nearest = tree_->nearest(place);
   if (nearest.triangle < 0)
     rejectPoint("the distance of the place from the surface is not a finite number");
   return {{nearest.triangle, nearest.bary}, std::sqrt(nearest.squaredDistance)};

@@ -19,6 +19,11 @@ struct NearestPoint {
   double squaredDistance = std::numeric_limits<double>::infinity();
 };
 
+/// The nearest point of several triangles, and its triangle, -1 if there is none.
+struct NearestOfTriangles : NearestPoint {
+  int triangle = -1;
+};
+
 /// The point of a triangle that is nearest to p: the projection if it falls inside, else the
 /// nearest of the three sides. Also on needles, rounding moves the point by no more than it would
 /// move the corners: p is split into a part along the longest side, which has no errors from the

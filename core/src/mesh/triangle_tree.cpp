@@ -97,8 +97,8 @@ void TriangleTree::findPivot(int first, int count) {
   pivot_ = *middle;
 }
 
-TriangleTree::Nearest TriangleTree::nearest(const Eigen::Vector3d& p) const {
-  Nearest nearest;
+NearestOfTriangles TriangleTree::nearest(const Eigen::Vector3d& p) const {
+  NearestOfTriangles nearest;
   const auto toBox = [&](int node) { return nodes_[node].box.squaredExteriorDistance(p); };
   std::vector<std::pair<double, int>> open;
   if (!nodes_.empty()) open.emplace_back(toBox(0), 0);

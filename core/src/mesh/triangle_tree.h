@@ -24,13 +24,9 @@ class TriangleTree {
   /// All triangles, in the order given.
   const std::vector<SpaceTriangle>& triangles() const { return triangles_; }
 
-  /// The triangle nearest to a given point, -1 if there is none, and its nearest point.
-  struct Nearest : NearestPoint {
-    int triangle = -1;
-  };
-  /// Of triangles at exactly the same distance, the first. -1 also if no squared distance is a
-  /// finite number.
-  Nearest nearest(const Eigen::Vector3d& p) const;
+  /// Of triangles at exactly the same distance, the first. None if no squared distance is a finite
+  /// number.
+  NearestOfTriangles nearest(const Eigen::Vector3d& p) const;
 
  private:
   /// Contains the triangles `first` … `last - 1` of `order_`. Its children, if it has any, are the

@@ -153,7 +153,7 @@ double PatchMeasuring::squaredDistanceToCentroid(int t, const RegionPatch& regio
 /// bounds the distance, so that few whole triangles have to be looked at.
 void PatchMeasuring::offerFirstCorner(int t) {
   const RegionPatch& region = patchOf(partition_.triangleLabel[t]);
-  Nearest& nearest = sumsOf(region.label).nearest;
+  NearestOfTriangles& nearest = sumsOf(region.label).nearest;
   const double distance = squaredDistanceToCentroid(t, region);
   if (distance < nearest.squaredDistance) nearest = {{Vector3d::Unit(0), distance}, t};
 }
@@ -161,7 +161,7 @@ void PatchMeasuring::offerFirstCorner(int t) {
 void PatchMeasuring::offerTriangle(int t) {
   const RegionPatch& region = patchOf(partition_.triangleLabel[t]);
   Sums& sums = sumsOf(region.label);
-  Nearest& nearest = sums.nearest;
+  NearestOfTriangles& nearest = sums.nearest;
   // (a + b)² ≤ 2 (a² + b²)
   if (squaredDistanceToCentroid(t, region) > 2 * (nearest.squaredDistance + sums.squaredReach))
     return;
@@ -170,7 +170,7 @@ void PatchMeasuring::offerTriangle(int t) {
 }
 
 void PatchMeasuring::setNearCentroid(int label) {
-  const Nearest& nearest = sumsOf(label).nearest;
+  const NearestOfTriangles& nearest = sumsOf(label).nearest;
   if (nearest.triangle < 0) return;
   patchOf(label).nearCentroid = {partition_.triangleFace[nearest.triangle],
                                  cornersInFace(mesh_, partition_, nearest.triangle) * nearest.bary};

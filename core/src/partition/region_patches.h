@@ -25,17 +25,13 @@ class PatchMeasuring {
  private:
   static constexpr int kNoLabel = -2;  // neither a region's nor `Diagram::kUnreachable`
 
-  /// The point of a region that is nearest to its centroid.
-  struct Nearest : NearestPoint {
-    int triangle = -1;
-  };
   /// What is summed up over a region, and what is best in it so far.
   struct Sums {
     Eigen::Vector3d moment = Eigen::Vector3d::Zero();   ///< areas times centres of triangles
     Eigen::Vector3d centres = Eigen::Vector3d::Zero();  ///< of its triangles
     double squaredReach = 0;  ///< of the farthest points of triangles from their first corners
     int outlineSteps = 0, innerVertices = 0;
-    Nearest nearest;
+    NearestOfTriangles nearest;  ///< to the centroid
   };
 
   int tail(int h) const { return tailOf(partition_.triangles, h); }

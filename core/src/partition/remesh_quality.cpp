@@ -223,7 +223,7 @@ class OneSidedHausdorff {
   }
 
   Corner cornerAt(const Vector3d& position) {
-    const TriangleTree::Nearest nearest = to_.nearest(position);
+    const NearestOfTriangles nearest = to_.nearest(position);
     distance_ = std::max(distance_, std::sqrt(nearest.squaredDistance));
     if (nearest.triangle >= 0) lastNearest_ = nearest.triangle;
     return {position, nearest.triangle};
