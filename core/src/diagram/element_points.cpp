@@ -88,8 +88,11 @@ std::span<const ElementPoints::PlacedVertex> ElementPoints::of(int element,
     const bool isInside = v.kind == Vertex::kInside;
     envelope.setBary(v, placed.bary);
     if (!isFace) placed.bary = complex_.faceBary(element, placed.bary);
-    placed.point = isInside ? addInside(element, envelope, v, placed.bary)
-                            : makeOnSide(element, envelope, v, placed.bary);
+    placed.point =
+        isInside ? graph_.addInner(complex_.face(element), placed.bary,
+                                   {envelope.label(v.functions[0]), envelope.label(v.functions[1]),
+                                    envelope.label(v.functions[2])})
+                 : makeOnSide(element, envelope, v, placed.bary);
     hasInnerPoint |= isInside;
   }
   if (hasInnerPoint && areNear(vertices)) tellApartInnerPoints(complex_.face(element), vertices);
@@ -158,13 +161,6 @@ void ElementPoints::tellApartInnerPoints(int face, std::span<const Vertex> verti
       inner.bary = graph_.places[inner.point].bary = place;
     }
   }
-}
-
-int ElementPoints::addInside(int element, const FaceEnvelope& envelope, const Vertex& v,
-                             const Eigen::Vector3d& bary) {
-  return graph_.addInner(complex_.face(element), bary,
-                         {envelope.label(v.functions[0]), envelope.label(v.functions[1]),
-                          envelope.label(v.functions[2])});
 }
 
 int ElementPoints::atNode(int element, int node, const Eigen::Vector3d& bary) {

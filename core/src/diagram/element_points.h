@@ -39,8 +39,6 @@ class ElementPoints {
  private:
   using Vertex = FaceEnvelope::Vertex;
 
-  int addInside(int element, const FaceEnvelope& envelope, const Vertex& v,
-                const Eigen::Vector3d& bary);
   int makeOnSide(int element, const FaceEnvelope& envelope, const Vertex& v,
                  const Eigen::Vector3d& bary);
   void mergeOnSide(int element, const FaceEnvelope& envelope, const Vertex& v, int point,
