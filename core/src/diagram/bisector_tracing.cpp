@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "distance/labelled_distances.h"
-#include "mesh/surface_geometry.h"
+#include "mesh/face_metric.h"
 
 namespace gvd {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/surface_geometry.h"
+#include "mesh/face_metric.h"
 
 namespace gvd {
 

@@ -16,8 +16,8 @@
 #include "base/rejection.h"
 #include "base/sliced_loop.h"
 #include "gvd/surface_point.h"
+#include "mesh/face_metric.h"
 #include "mesh/given_triangles.h"
-#include "mesh/surface_geometry.h"
 
 namespace gvd {
 namespace {

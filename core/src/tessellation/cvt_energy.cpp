@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "base/sliced_loop.h"
+#include "mesh/face_metric.h"
 #include "mesh/incidence.h"
-#include "mesh/surface_geometry.h"
 
 namespace gvd {
 namespace {

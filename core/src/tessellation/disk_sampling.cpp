@@ -23,9 +23,9 @@
 #include "distance/dgpc/unfolding_sweep.h"
 #include "gvd/geodesic.h"
 #include "gvd/sampling.h"
+#include "mesh/face_metric.h"
 #include "mesh/incidence.h"
 #include "mesh/random_points.h"
-#include "mesh/surface_geometry.h"
 #include "tessellation/disk_grid.h"
 #include "tessellation/vertex_covering.h"
 

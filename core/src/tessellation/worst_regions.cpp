@@ -22,8 +22,8 @@
 #include "gvd/dynamic_diagram.h"
 #include "gvd/sampling.h"
 #include "mesh/face_layout.h"
+#include "mesh/face_metric.h"
 #include "mesh/incidence.h"
-#include "mesh/surface_geometry.h"
 
 namespace gvd {
 namespace {

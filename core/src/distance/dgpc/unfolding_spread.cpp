@@ -9,7 +9,7 @@
 #include "distance/dgpc/unfolding_path.h"
 #include "distance/labelled_distances.h"
 #include "distance/path_points.h"
-#include "mesh/surface_geometry.h"
+#include "mesh/face_metric.h"
 
 namespace gvd::dgpc {
 namespace {
