@@ -74,8 +74,8 @@ class FaceComplex {
   /// they have none, `Diagram::kMixed` if they have several.
   int soleOwner(int element) const { return soleOwner_[element]; }
   std::vector<int> takeSoleOwners() { return std::move(soleOwner_); }
-  /// Whether an element is mixed, has no owner, or has ties at all nodes, where two labels may tie
-  /// on all of the element.
+  /// Whether an element is mixed, has no owner, or has ties at all nodes: then two labels may tie
+  /// everywhere on it.
   bool isUndecided(int element) const {
     const int* const node = nodesOf(element);
     return soleOwner(element) < 0 ||

@@ -10,8 +10,8 @@
 
 namespace gvd {
 
-/// The points of a diagram. They are those of its graph if none are merged; else those in use,
-/// merged points as one, numbered in order of first use.
+/// The points of a diagram. If none are merged, they are the points of its graph. Otherwise they
+/// are the roots of the points in use, numbered in order of first use.
 class FinalPoints {
  public:
   FinalPoints(BisectorGraph& graph, std::vector<SurfacePoint>& places)

@@ -25,7 +25,7 @@ class Buffers {
  private:
   struct Buffer {
     BufferObject object;
-    std::string decoded;           ///< the content of a data URI, which is dropped then
+    std::string decoded;           ///< the content of a data URI; the URI is dropped
     std::optional<Bytes> content;  ///< once it is loaded; may have more bytes than the buffer
   };
 

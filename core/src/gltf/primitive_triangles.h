@@ -23,8 +23,8 @@ PrimitiveKind kindOf(const Primitive& primitive, const std::string& name);
 
 /// The cost of reading a primitive of triangles, according to its accessors.
 struct PrimitiveSize {
-  std::uint64_t vertices = 0;      ///< counted again for each morph target applied
-  std::uint64_t countedAgain = 0;  ///< of these
+  std::uint64_t vertices = 0;      ///< and as many for each morph target applied
+  std::uint64_t countedAgain = 0;  ///< of these, those for morph targets
   std::uint64_t triangles = 0;
   std::uint64_t zeroElements = 0;  ///< in accessors without a buffer view
 };

@@ -71,7 +71,7 @@ class ComponentCovering final : public SequentialWork<std::vector<SurfacePoint>>
 
  private:
   /// The faces of a component that lacks points, and the cumulative sums of their areas.
-  struct Faces {
+  struct FaceAreas {
     std::vector<int> faces;
     std::vector<double> sums;
   };
@@ -105,8 +105,8 @@ class ComponentCovering final : public SequentialWork<std::vector<SurfacePoint>>
 
   const TriangleMesh& mesh_;
   std::vector<SurfacePoint> given_;
-  std::vector<int> counts_;     ///< of the given points, per component
-  std::vector<Faces> lacking_;  ///< per component
+  std::vector<int> counts_;         ///< of the given points, per component
+  std::vector<FaceAreas> lacking_;  ///< per component
   const int perComponent_, count_;
   std::mt19937_64 random_;
   std::vector<SurfacePoint> missing_;
