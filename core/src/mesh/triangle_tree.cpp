@@ -23,25 +23,23 @@ TriangleTree::TriangleTree(std::vector<SpaceTriangle> triangles)
 TriangleTree::TriangleTree(const TriangleMesh& mesh) : mesh_(&mesh) {}
 
 bool TriangleTree::step(long& budget) {
-  return sequence_.run([&](SlicedLoop& loop) { return !mesh_ || takeFaces(loop, budget); },
-                       [&] {
-                         order_ = indicesBelow(static_cast<int>(triangles_.size()));
-                         if (!order_.empty())
-                           tasks_.push_back({0, static_cast<int>(order_.size()), -1});
-                       },
-                       [&] {
-                         while (!tasks_.empty())
-                           if (!makeNext(budget)) return false;
-                         return true;
-                       });
-}
-
-bool TriangleTree::takeFaces(SlicedLoop& loop, long& budget) {
-  triangles_.reserve(mesh_->faceCount());
-  return loop.run(mesh_->faceCount(), budget, 8, [&](int f) {
-    const auto corner = [&](int i) { return mesh_->position(mesh_->tail(3 * f + i)); };
-    triangles_.push_back({corner(0), corner(1), corner(2)});
-  });
+  const int faces = mesh_ ? mesh_->faceCount() : 0;
+  return sequence_.run(
+      [&] { triangles_.reserve(faces); },
+      forEach(faces, budget, 8,
+              [&](int f) {
+                const auto& [a, b, c] = mesh_->face(f).vertices;
+                triangles_.push_back({mesh_->position(a), mesh_->position(b), mesh_->position(c)});
+              }),
+      [&] {
+        order_ = indicesBelow(static_cast<int>(triangles_.size()));
+        if (!order_.empty()) tasks_.push_back({0, static_cast<int>(order_.size()), -1});
+      },
+      [&] {
+        while (!tasks_.empty())
+          if (!makeNext(budget)) return false;
+        return true;
+      });
 }
 
 /// Makes a node, and divides its triangles along the longest side of the box of their centres, in

@@ -43,7 +43,6 @@ class TriangleTree {
     int parent;
   };
 
-  bool takeFaces(SlicedLoop& loop, long& budget);
   bool makeNext(long& budget);
   void findPivot(int first, int count);
 

@@ -41,11 +41,17 @@ class FaceCutting {
 
   bool step(long& budget) {
     const int faces = mesh_.faceCount();
-    return sequence_.run([&](SlicedLoop& loop) { return nameVertices(loop, budget); },
-                         [&] { return sidePoints_.step(budget); },
-                         [&] { pieces_.reserve(faces + diagram_.cells.points.size()); },
-                         [&] { return fillInSlices(uncut_, faces, -1, budget); },
-                         forEach(faces, budget, 4, [&](int f) { cutFace(f); }));
+    return sequence_.run(
+        [&] { vertexOfPoint_.reserve(diagram_.points.size()); },
+        forEach(diagram_.points, budget, 8,
+                [&](int i) {
+                  const int vertex = vertexAt(mesh_, diagram_.points[i]);
+                  vertexOfPoint_.push_back(vertex >= 0 ? vertex : mesh_.vertexCount() + i);
+                }),
+        [&] { return sidePoints_.step(budget); },
+        [&] { pieces_.reserve(faces + diagram_.cells.points.size()); },
+        [&] { return fillInSlices(uncut_, faces, -1, budget); },
+        forEach(faces, budget, 4, [&](int f) { cutFace(f); }));
   }
 
   /// Ascending by face.
@@ -54,14 +60,6 @@ class FaceCutting {
   std::vector<int> takeUncut() { return std::move(uncut_); }
 
  private:
-  bool nameVertices(SlicedLoop& loop, long& budget) {
-    vertexOfPoint_.resize(diagram_.points.size());
-    return loop.run(vertexOfPoint_.size(), budget, 8, [&](int i) {
-      const int vertex = vertexAt(mesh_, diagram_.points[i]);
-      vertexOfPoint_[i] = vertex >= 0 ? vertex : mesh_.vertexCount() + i;
-    });
-  }
-
   void cutFace(int f) {
     const size_t firstPiece = pieces_.size();
     if (diagram_.faceLabel[f] == Diagram::kMixed) {
