@@ -17,8 +17,8 @@ namespace gvd {
 /// pair is numbered when it is first added. Not inlined, as the WebAssembly module would be larger.
 class IndexPairs {
  public:
-  /// Makes room for `count` pairs, in slices; true when it is there. Before any is added; more
-  /// pairs take longer to find.
+  /// Makes room for `count` pairs, in slices; true when it is there. To be called before any pair
+  /// is added. Further pairs can be added, too, but pairs then take longer to find.
   [[gnu::noinline]] bool prepare(std::size_t count, long& budget) {
     pairs_.reserve(count);
     next_.reserve(count);

@@ -47,7 +47,7 @@ class DiskGrid {
   const TriangleMesh& mesh_;
   const double width_;
   SlicedSequence sequence_;
-  std::vector<int> first_ = {0};     ///< per face its first rectangle; then their number
+  std::vector<int> first_ = {0};     ///< rectangle of each face; at the end, how many there are
   SmallLists<int> disks_;            ///< per rectangle
   std::deque<Distances> distances_;  ///< of a disk in a face; not moved when there are more
 };
