@@ -1077,6 +1077,7 @@ suite('attributes and events', () => {
         () => viewer.removeSite(12),
         () => viewer.moveSite(-1, { face: 0, bary: [1, 0, 0] }),
         () => viewer.perform('turn'),
+        () => viewer.perform('constructor'),
         () => viewer.loadFiles('own.obj'),
         () => viewer.regionColour(0.5) ?? 'no colour',
       ];
@@ -1095,6 +1096,7 @@ suite('attributes and events', () => {
       'There is no site 12: the number of sites is 12.',
       'There is no site -1: the number of sites is 12.',
       'There is no command “turn”.',
+      'There is no command “constructor”.',
       'Files are a File, a list of these, or an object of files by their paths.',
       'no colour',
     ]);
@@ -1168,6 +1170,14 @@ suite('attributes and events', () => {
     await viewer.drawn();
     const after = await place();
     assert.ok(after < before - 20, `${after} after ${before}`);
+  });
+
+  test('points that are not finite are seen nowhere', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
+    const seen = await viewer.evaluate((viewer) =>
+      viewer.project([0, 0.42, 1, Number.NaN, 0, 0, 0, Infinity, 0]).map((place) => !!place),
+    );
+    assert.deepEqual(seen, [true, false, false]);
   });
 
   test('a picture of no size is refused, and so is a density of other vertices', async () => {

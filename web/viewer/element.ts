@@ -294,7 +294,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
 
   /**
    * Where points of the surface (x, y, z triples in the model's units) are seen, in CSS pixels from
-   * the view's corner; undefined for those that the surface hides.
+   * the view's corner; undefined for those that the surface hides, or that are not finite.
    */
   project(positions: ArrayLike<number>): ({ x: number; y: number } | undefined)[] {
     return this.#viewer?.model?.project(positions, this.#viewer.stage) ?? [];

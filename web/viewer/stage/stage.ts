@@ -114,7 +114,7 @@ export class Stage {
 
   /**
    * A function that maps points of the scene to places on the page, undefined for points behind the
-   * camera. It holds while the camera stands still.
+   * camera and for those that are not finite. It holds while the camera stands still.
    */
   projection(): (point: Vector3) => { x: number; y: number } | undefined {
     const { object: camera } = this.camera;
@@ -124,7 +124,7 @@ export class Stage {
     const device = new Vector3();
     return (point) => {
       device.copy(point).project(camera);
-      if (device.z > 1) return undefined;
+      if (!(device.z <= 1)) return undefined;
       return {
         x: box.left + ((device.x + 1) * box.width) / 2,
         y: box.top + ((1 - device.y) * box.height) / 2,

@@ -137,6 +137,6 @@ export function isOfView(command: Command): boolean {
 }
 
 export function perform(command: Command, viewer: Commanded): void {
-  if (!(command in actions)) throw new TypeError(`There is no command “${command}”.`);
+  if (!Object.hasOwn(actions, command)) throw new TypeError(`There is no command “${command}”.`);
   actions[command](viewer);
 }
