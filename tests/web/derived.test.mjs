@@ -6,7 +6,6 @@ import assert from 'node:assert/strict';
 import { suite, test } from 'node:test';
 import { DerivedDrawings } from '../../dist/viewer/layers/derived_drawings.js';
 import { fetchModelFiles } from '../../dist/viewer/session/model_files.js';
-import { OriginalLayer } from '../../dist/viewer/layers/original_layer.js';
 import { RestartableTask } from '../../dist/viewer/session/restartable_task.js';
 
 const turn = () => new Promise((resolve) => setImmediate(resolve));
@@ -141,6 +140,7 @@ test('the material of a model that is gone by the time is freed', async () => {
   let freed = 0;
   const place = {
     attributes: { layers: ['original'] },
+    session: { status: 'loading' },
     model: {
       files: file,
       builder: { plySurface: async () => surface },
@@ -150,13 +150,15 @@ test('the material of a model that is gone by the time is freed', async () => {
       invalidate() {},
       async compile({ children: [part] }) {
         part.geometry.addEventListener('dispose', () => ++freed);
-        layer.dispose();
+        drawings.dispose();
       },
     },
   };
   const events = [];
-  const layer = new OriginalLayer(place, (type) => events.push(type));
-  await layer.update();
+  const drawings = new DerivedDrawings(place, (type) => events.push(type));
+  drawings.update();
+  while (freed === 0) await milliseconds(20);
+  await milliseconds(20);
   assert.equal(freed, 1);
   assert.deepEqual(events, []);
 });

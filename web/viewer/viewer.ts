@@ -19,7 +19,6 @@ import { Hover, type HoveredPoint } from './tools/hover.js';
 import type { OpenedMesh, Opening, Reader, SiteSampling } from './session/mesh_opening.js';
 import { watchNearness } from './stage/nearness.js';
 import { OpenModel } from './model/open_model.js';
-import { OriginalLayer } from './layers/original_layer.js';
 import { PageScrolling } from './tools/page_scrolling.js';
 import type { DrawnPixels } from './stage/picture_file.js';
 import { watchPixelRatio } from './stage/pixel_ratio.js';
@@ -34,7 +33,6 @@ import { Stage } from './stage/stage.js';
 import { SurfaceTools, type Workpiece } from './tools/surface_tools.js';
 import { themeOf, watchTheme } from './drawing/theme.js';
 import { paddingAround } from './stage/view_padding.js';
-import { WireframeLayer } from './layers/wireframe_layer.js';
 
 /** In milliseconds, short enough for the eye to follow the markers of sites. */
 const longestGlide = 250;
@@ -70,8 +68,6 @@ export class Viewer implements Workpiece {
   #lastIteration = 0;
   #gliding = 0;
   readonly #derived: DerivedDrawings;
-  readonly #original: OriginalLayer;
-  readonly #wireframe: WireframeLayer;
   /** Ends with the viewer, which tells nothing afterwards. */
   readonly #watching: AbortController;
 
@@ -107,8 +103,6 @@ export class Viewer implements Workpiece {
     const root = canvas.getRootNode() as ShadowRoot;
     this.legend = new Legend(root);
     this.#derived = new DerivedDrawings(this, this.#emit);
-    this.#original = new OriginalLayer(this, this.#emit);
-    this.#wireframe = new WireframeLayer(this);
     this.session = new Session(
       this.attributes.diagram,
       async (data, sites) => this.#model?.prepare(data, sites),
@@ -281,8 +275,6 @@ export class Viewer implements Workpiece {
 
   showLayers(): void {
     this.#model?.drawing.show(new Set(this.attributes.layers));
-    void this.#original.update();
-    void this.#wireframe.update();
     this.stage.invalidate();
     this.#derived.update();
   }
@@ -297,7 +289,6 @@ export class Viewer implements Workpiece {
     this.#gestures.cancel();
     this.session.dispose();
     this.#derived.dispose();
-    this.#original.dispose();
     this.#model?.dispose();
     this.#model = undefined;
     this.stage.dispose();

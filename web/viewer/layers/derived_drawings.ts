@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Drawings derived from a diagram (parts, distances, dual), computed only while they are shown.
+// Drawings that are made only while they are shown: of a diagram the parts, the distances and the
+// dual, of a model its file's own material and its wireframe.
 
 import type { Diagram, Violation } from 'geodesic-voronoi';
 import type { Attributes } from '../attributes/attribute_values.js';
+import { meshEdges } from '../buffers/mesh_edges.js';
 import { Derived } from './derived.js';
 import { distanceScale } from '../drawing/distance_scale.js';
 import type { DrawnDistances } from '../drawing/distance_surface.js';
@@ -11,6 +13,7 @@ import type { Emit } from '../events.js';
 import { type ExplodedParts, widestSpread } from '../drawing/exploded_parts.js';
 import type { Legend } from './legend.js';
 import { boundarySides, chainEnds } from '../drawing/lines.js';
+import type { OriginalMaterial } from '../drawing/original_material.js';
 import { sentence } from '../session/failure.js';
 import { nextFrame } from '../stage/next_frame.js';
 import type { OpenModel } from '../model/open_model.js';
@@ -51,26 +54,50 @@ function workerStopped(): Error {
 export class DerivedDrawings {
   readonly #place: DrawingPlace;
   readonly #emit: Emit;
-  readonly #dual = new Derived<Dual>({
-    compute: (diagram, signal) => this.#makeDual(diagram, signal),
-    adopt: (dual) => this.#showDual(dual),
-    failed: (error) => this.#fail('The dual cannot be made', error),
+  readonly #dual = this.#ofDiagram<Dual>(
+    'The dual cannot be made',
+    (diagram, signal) => this.#makeDual(diagram, signal),
+    (dual) => this.#showDual(dual),
+  );
+  readonly #parts = this.#ofDiagram<Parts>(
+    'The exploded view cannot be drawn',
+    (diagram, signal) => this.#makeParts(diagram, signal),
+    (parts) => this.#showParts(parts),
+  );
+  readonly #distances = this.#ofDiagram<DrawnDistances>(
+    'The distances cannot be drawn',
+    (diagram, signal) => this.#makeDistances(diagram, signal),
+    (distances) => this.#showDistances(distances),
+  );
+  readonly #original = new Derived<OpenModel, OriginalMaterial>({
+    compute: (model, signal) => this.#readOriginal(model, signal),
+    adopt: (original, error) => this.#showOriginal(original, error as Error | undefined),
   });
-  readonly #parts = new Derived<Parts>({
-    compute: (diagram, signal) => this.#makeParts(diagram, signal),
-    adopt: (parts) => this.#showParts(parts),
-    failed: (error) => this.#fail('The exploded view cannot be drawn', error),
-  });
-  readonly #distances = new Derived<DrawnDistances>({
-    compute: (diagram, signal) => this.#makeDistances(diagram, signal),
-    adopt: (distances) => this.#showDistances(distances),
-    failed: (error) => this.#fail('The distances cannot be drawn', error),
-  });
+  /** The model whose edges have been asked for: they stay with it. */
+  #withEdges: OpenModel | undefined;
   #resting: ReturnType<typeof setTimeout> | undefined;
 
   constructor(place: DrawingPlace, emit: Emit) {
     this.#place = place;
     this.#emit = emit;
+  }
+
+  /** A drawing of the diagram that is shown; `failing` says what cannot be done if that fails. */
+  #ofDiagram<Result>(
+    failing: string,
+    compute: (diagram: Diagram, signal: AbortSignal) => Promise<Result | undefined>,
+    show: (result: Result | undefined) => void,
+  ): Derived<ShownDiagram, Result> {
+    return new Derived({
+      compute: async ({ diagram }, signal) => diagram && compute(diagram, signal),
+      adopt: (result, error) => {
+        if (error) {
+          const { message } = sentence(failing, error);
+          this.#emit('error', { type: 'computefailure', message, cause: error });
+        }
+        show(result);
+      },
+    });
   }
 
   /**
@@ -79,7 +106,9 @@ export class DerivedDrawings {
    * until nothing else is under way. Iterations are shown without them.
    */
   update(): void {
-    const { session } = this.#place;
+    const { session, attributes, model } = this.#place;
+    void this.#original.update(attributes.layers.includes('original') ? model : undefined);
+    void this.#findEdges();
     clearTimeout(this.#resting);
     if (session.status === 'iterating') this.#show(undefined);
     else if (session.status !== 'ready') this.#stop();
@@ -87,7 +116,7 @@ export class DerivedDrawings {
     else this.#resting = setTimeout(() => this.#show(session.shown), dragRest);
   }
 
-  /** To be called when the model is replaced: nothing that was derived from the one before stays. */
+  /** To be called when the model is replaced: nothing of the diagram before stays. */
   clear(): void {
     clearTimeout(this.#resting);
     this.#show(undefined);
@@ -96,15 +125,11 @@ export class DerivedDrawings {
   dispose(): void {
     clearTimeout(this.#resting);
     this.#stop();
+    this.#original.stop();
   }
 
   #stop(): void {
     for (const each of [this.#dual, this.#distances, this.#parts]) each.stop();
-  }
-
-  #fail(what: string, cause: unknown): void {
-    const { message } = sentence(what, cause);
-    this.#emit('error', { type: 'computefailure', message, cause });
   }
 
   /** Shows what the attributes ask for of this diagram; nothing without a diagram. */
@@ -209,5 +234,41 @@ export class DerivedDrawings {
     this.#place.model?.drawing.setDual(dual?.ends ?? new Float32Array());
     this.#place.stage.invalidate();
     this.#emit('dual', dual ? { polygons: dual.polygons, violations: dual.violations } : null);
+  }
+
+  async #readOriginal(
+    { files, drawing, builder }: OpenModel,
+    signal: AbortSignal,
+  ): Promise<OriginalMaterial | undefined> {
+    const { originalMaterial } = await import('../drawing/original_material.js');
+    const material = await originalMaterial(files, drawing.mesh.frame, builder, signal);
+    try {
+      if (material) await this.#place.stage.compile(material.object);
+      signal.throwIfAborted();
+      return material;
+    } catch (error) {
+      material?.dispose();
+      throw error;
+    }
+  }
+
+  #showOriginal(material: OriginalMaterial | undefined, error: Error | undefined): void {
+    const { attributes, model, stage } = this.#place;
+    model?.drawing.setOriginal(material);
+    stage.invalidate();
+    const { textures = 0 } = material ?? {};
+    const detail = { isFound: material !== undefined, textures, problem: error?.message };
+    this.#emit('original', attributes.layers.includes('original') ? detail : null);
+  }
+
+  /** Finds the edges of the model's triangles if the attributes ask for them. */
+  async #findEdges(): Promise<void> {
+    const { attributes, model, stage } = this.#place;
+    if (!model || model === this.#withEdges || !attributes.layers.includes('wireframe')) return;
+    this.#withEdges = model;
+    const edges = await model.builder.edges();
+    if (model !== this.#place.model) return;
+    model.drawing.setEdges(edges ?? meshEdges(model.drawing.mesh.indices));
+    stage.invalidate();
   }
 }
