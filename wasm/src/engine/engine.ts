@@ -6,13 +6,7 @@
 import type { DiagramData, MeshInfo, MeshPart, SurfacePoints } from '../api/results.js';
 import type { FileInput } from '../input/read_model.js';
 import type { Triangles } from '../base/triangles.js';
-import type {
-  CvtOptions,
-  MeshOptions,
-  TaskOptions,
-  VoronoiOptions,
-  WasmSource,
-} from '../api/options.js';
+import type { MeshOptions, TaskOptions, VoronoiOptions, WasmSource } from '../api/options.js';
 import type { CvtState } from '../api/types.js';
 import type { Argument } from '../base/wasm_module.js';
 
@@ -30,7 +24,7 @@ export interface EngineSources {
 export type Handle = number;
 
 /** Options that are all given. */
-type Given<Options> = { [Name in keyof Options]-?: Exclude<Options[Name], undefined> };
+export type Given<Options> = { [Name in keyof Options]-?: Exclude<Options[Name], undefined> };
 
 /** How a mesh is made of triangles. */
 export type MeshBuild = Given<
@@ -51,23 +45,6 @@ export type DiagramForm = Given<Pick<VoronoiOptions, 'metric' | 'detail'>>;
 export interface OpenedDiagram {
   handle: Handle;
   data: DiagramData;
-}
-
-/** How sites move to centroids. */
-export interface CvtSettings
-  extends Given<
-    Pick<CvtOptions, 'method' | 'metric' | 'iterations' | 'energyTolerance' | 'moveTolerance'>
-  > {
-  /** Per input vertex; empty: uniform. */
-  density: Float64Array;
-  fixedSites: Int32Array;
-}
-
-/** These as arguments of core.wasm. */
-export function cvtArguments(settings: CvtSettings): Argument[] {
-  const { method, metric, iterations, energyTolerance, moveTolerance, density, fixedSites } =
-    settings;
-  return [method, metric, iterations, energyTolerance, moveTolerance, density, fixedSites];
 }
 
 /**
@@ -105,12 +82,8 @@ export interface Engine {
     form: DiagramForm,
     task: TaskOptions,
   ): Promise<OpenedDiagram>;
-  openCvt(
-    mesh: Handle,
-    sites: SurfacePoints,
-    settings: CvtSettings,
-    task: TaskOptions,
-  ): Promise<{ handle: Handle }>;
+  /** `args` are the arguments of core.wasm after the mesh. */
+  openCvt(mesh: Handle, args: readonly Argument[], task: TaskOptions): Promise<{ handle: Handle }>;
   /** The next iteration, beginning with number 0; undefined after the last one. */
   advanceCvt(cvt: Handle, form: CvtForm, task: TaskOptions): Promise<AdvancedCvt | undefined>;
   /** Frees a mesh, a diagram or a tessellation. The diagrams and tessellations of a mesh stay. */

@@ -3,18 +3,16 @@
 // The library on the thread that calls it: objects in core.wasm, and long work in slices.
 
 import { compile, type CompileAddress } from '../base/compile.js';
-import {
-  cvtArguments,
-  type AdvancedCvt,
-  type CvtForm,
-  type CvtSettings,
-  type DiagramForm,
-  type Engine,
-  type EngineSources,
-  type Handle,
-  type MeshBuild,
-  type OpenedDiagram,
-  type OpenedMesh,
+import type {
+  AdvancedCvt,
+  CvtForm,
+  DiagramForm,
+  Engine,
+  EngineSources,
+  Handle,
+  MeshBuild,
+  OpenedDiagram,
+  OpenedMesh,
 } from './engine.js';
 import { GeodesicVoronoiError } from '../api/errors.js';
 import { type FileInput, type InputModules, readModel } from '../input/read_model.js';
@@ -237,13 +235,11 @@ export class LocalEngine implements Engine {
 
   async openCvt(
     mesh: Handle,
-    { face, bary }: SurfacePoints,
-    settings: CvtSettings,
+    args: readonly Argument[],
     { signal }: TaskOptions,
   ): Promise<{ handle: Handle }> {
     signal?.throwIfAborted();
-    const args = [this.#pointer(mesh), face, bary, ...cvtArguments(settings)];
-    const pointer = this.#open().call('startCvt', ...args);
+    const pointer = this.#open().call('startCvt', this.#pointer(mesh), ...args);
     return { handle: this.#store({ pointer, free: 'freeCvt' }) };
   }
 

@@ -5,14 +5,8 @@
 import { isObject, show, toInt32, toOptions, toTask, toTaskOptions } from '../base/checks.js';
 import { imported } from '../base/compile.js';
 import { EngineDiagram } from './diagram.js';
-import {
-  cvtArguments,
-  type AdvancedCvt,
-  type CvtForm,
-  type CvtSettings,
-  type Engine,
-  type OpenedMesh,
-} from '../engine/engine.js';
+import type { AdvancedCvt, CvtForm, Engine, Given, OpenedMesh } from '../engine/engine.js';
+import type { Argument } from '../base/wasm_module.js';
 import { GeodesicVoronoiError, invalidArgument } from '../api/errors.js';
 import {
   checked,
@@ -238,78 +232,83 @@ export class EngineMesh implements Mesh {
   ): AsyncGenerator<CvtStateWithData, void, void>;
   cvt(sites: SurfacePointsInput, options?: CvtOptions): AsyncGenerator<CvtState, void, void>;
   cvt(sites: SurfacePointsInput, options?: CvtOptions): AsyncGenerator<CvtState, void, void> {
-    const tessellation = this.#toTessellation(sites, options);
-    tessellation.catch(() => {}); // whoever asks for the first state hears of it
-    return this.#iterations(tessellation);
+    const asked = this.#toCvt(sites, options);
+    asked.catch(() => {}); // whoever asks for the first state hears of it
+    return this.#iterations(asked);
   }
 
   /** Checks and copies the arguments of `cvt`, at the call. */
-  async #toTessellation(
-    sites: SurfacePointsInput,
-    options: CvtOptions | undefined,
-  ): Promise<Tessellation> {
-    const { data, diagrams, density, fixedSites, ...rest } = toTaskOptions(options, {
+  async #toCvt(sites: SurfacePointsInput, options: CvtOptions | undefined): Promise<Cvt> {
+    const { data, diagrams, signal, onProgress, ...settings } = toTaskOptions(options, {
       ...tessellationDefaults,
       data: false,
       diagrams: false,
     });
-    const { signal, onProgress, ...settings } = rest;
     checked({ data, diagrams });
+    const form = diagrams ? 'diagram' : data ? 'data' : 'bare';
+    return { ...this.#toTessellation(sites, settings), form, task: { signal, onProgress } };
+  }
+
+  #toTessellation(
+    sites: SurfacePointsInput,
+    { density, fixedSites, ...settings }: TessellationOptions,
+  ): Tessellation {
     return {
       sites: toPoints('sites', sites),
       ...checked(settings),
       fixedSites: toInt32('fixedSites', fixedSites),
       density: toDensity(density, this.density),
-      form: diagrams ? 'diagram' : data ? 'data' : 'bare',
-      signal,
-      onProgress,
     };
   }
 
-  async *#iterations(wanted: Promise<Tessellation>): AsyncGenerator<CvtState, void, void> {
-    const { sites, form, density, signal, onProgress, ...others } = await wanted;
-    const settings = { ...others, density: await this.#densityOf(density, signal) };
-    const points = await this.#object.onSurface(sites, { signal });
+  /** A tessellation as arguments of core.wasm, after the mesh. */
+  async #argumentsOf(tessellation: Tessellation, { signal }: TaskOptions): Promise<Argument[]> {
+    const { sites, method, metric, iterations, energyTolerance, moveTolerance, fixedSites } =
+      tessellation;
+    const density = await this.#densityOf(tessellation.density, signal);
+    const { face, bary } = await this.#object.onSurface(sites, { signal });
+    const settings = [method, metric, iterations, energyTolerance, moveTolerance];
+    return [face, bary, ...settings, density, fixedSites];
+  }
+
+  async *#iterations(asked: Promise<Cvt>): AsyncGenerator<CvtState, void, void> {
+    const { form, task, ...tessellation } = await asked;
+    const { signal, onProgress } = task;
+    const args = await this.#argumentsOf(tessellation, task);
     const { engine } = this.#object;
-    const { handle } = await this.#object.ask((mesh) =>
-      engine.openCvt(mesh, points, settings, { signal }),
-    );
-    const tessellation = new EngineObject('tessellation', engine, handle);
+    const { handle } = await this.#object.ask((mesh) => engine.openCvt(mesh, args, { signal }));
+    const cvt = new EngineObject('tessellation', engine, handle);
     try {
       for (;;) {
-        const advanced = await tessellation.ask((cvt) => engine.advanceCvt(cvt, form, { signal }));
+        const advanced = await cvt.ask((object) => engine.advanceCvt(object, form, { signal }));
         if (!advanced) break;
-        const state = stateOf(engine, advanced, settings.metric); // now the diagram has an owner
-        onProgress?.(Math.min(1, (advanced.iteration + 1) / (settings.iterations + 1)));
+        const state = stateOf(engine, advanced, tessellation.metric); // now the diagram has an owner
+        onProgress?.(Math.min(1, (advanced.iteration + 1) / (tessellation.iterations + 1)));
         yield state;
       }
       onProgress?.(1);
     } finally {
-      tessellation.dispose();
+      cvt.dispose();
     }
   }
 
   async remesh(sites: SurfacePointsInput, options?: RemeshOptions): Promise<Diagram> {
-    const { maxAdded, density, fixedSites, signal, onProgress, ...others } = toTaskOptions(
-      options,
-      {
-        ...tessellationDefaults,
-        ...repairDefaults,
-      },
-    );
+    const { maxAdded, signal, onProgress, ...settings } = toTaskOptions(options, {
+      ...tessellationDefaults,
+      ...repairDefaults,
+    });
     const task = { signal, onProgress };
     checked({ maxAdded });
-    const settings = { ...checked(others), fixedSites: toInt32('fixedSites', fixedSites) };
-    const [given, list] = [toDensity(density, this.density), toPoints('sites', sites)];
-    const perVertex = await this.#densityOf(given, signal);
-    const { face, bary } = await this.#object.onSurface(list, task);
+    const tessellation = this.#toTessellation(sites, settings);
+    const args = await this.#argumentsOf(tessellation, task);
     const shareOfSites = 0.95; // the rest is the diagram
     const remeshed = await this.#object.call<SurfacePoints>(
       'remeshedSites',
-      [face, bary, ...cvtArguments({ ...settings, density: perVertex }), maxAdded],
+      [...args, maxAdded],
       partOf(task, 0, shareOfSites),
     );
-    return this.voronoi(remeshed, { metric: settings.metric, ...partOf(task, shareOfSites, 1) });
+    const { metric } = tessellation;
+    return this.voronoi(remeshed, { metric, ...partOf(task, shareOfSites, 1) });
   }
 
   /** The density per vertex. */
@@ -336,11 +335,19 @@ function naming(name: string): (error: unknown) => never {
   };
 }
 
-/** The arguments of `cvt`, checked and copied. */
-interface Tessellation extends Omit<CvtSettings, 'density'>, TaskOptions {
+type TessellationOptions = Given<Pick<CvtOptions, keyof typeof tessellationDefaults>>;
+
+/** Sites that are to move to centroids, and how: checked and copied. */
+interface Tessellation extends Omit<TessellationOptions, 'density' | 'fixedSites'> {
   sites: GivenPoints;
   density: GivenDensity;
+  fixedSites: Int32Array;
+}
+
+/** The arguments of `cvt`. */
+interface Cvt extends Tessellation {
   form: CvtForm;
+  task: TaskOptions;
 }
 
 /** An iteration as callers get it. */
