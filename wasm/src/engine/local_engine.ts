@@ -41,9 +41,7 @@ type Pointer = number;
 /** An object that is stored until it is closed, with the function that frees it. */
 interface StoredObject {
   pointer: Pointer;
-  free?: 'freeMesh' | 'freeVoronoi' | 'freeCvt';
-  /** The mesh of a diagram, made when first asked for and freed with the diagram. */
-  mesh?: Handle;
+  free: 'freeMesh' | 'freeVoronoi' | 'freeCvt';
   turns: Turns;
 }
 
@@ -71,28 +69,23 @@ export class LocalEngine implements Engine {
     });
   }
 
-  /** Calls about one object are answered one after the other. */
+  /** Calls about one object are answered one after the other; `pointer` is what they are made on. */
   async call<Result>(
     name: string,
     object: Handle,
     args: readonly Argument[],
     task: TaskOptions,
+    pointer: () => Pointer = () => this.#pointer(object),
   ): Promise<Result> {
     return this.#stored(object).turns.take(task, async () => {
-      const answer = await this.#answerOf<Result>(name, object, args, task);
+      const answer = await this.#answer<Result>(name, [pointer(), ...args], task, pointer);
       task.onProgress?.(1);
       return answer;
     });
   }
 
-  async callMesh<Result>(
-    name: string,
-    object: Handle,
-    args: readonly Argument[],
-    task: TaskOptions,
-  ): Promise<Result> {
-    return this.call(name, this.#meshOf(object), args, task);
-  }
+  readonly callMesh: Engine['call'] = (name, object, args, task) =>
+    this.call(name, object, args, task, () => this.#meshPointer(object));
 
   async openMesh(
     source: Triangles | FileInput,
@@ -177,18 +170,10 @@ export class LocalEngine implements Engine {
     }
   }
 
-  /** The answer of a function about an object, which may be closed between slices. */
-  #answerOf<Result>(
-    name: string,
-    object: Handle,
-    args: readonly Argument[],
-    task: TaskOptions,
-  ): Promise<Result> {
-    const pointer = () => this.#pointer(object);
-    return this.#answer<Result>(name, [pointer(), ...args], task, pointer);
-  }
-
-  /** The answer of a function of core.wasm, worked on in slices; the caller reports the share 1. */
+  /**
+   * The answer of a function of core.wasm, worked on in slices, between which what it is about may be
+   * closed; the caller reports the share 1.
+   */
   async #answer<Result>(
     name: string,
     args: readonly Argument[],
@@ -211,8 +196,7 @@ export class LocalEngine implements Engine {
     task: TaskOptions,
   ): Promise<OpenedDiagram> {
     task.signal?.throwIfAborted();
-    const mesh = this.#pointer(this.#meshOf(owner));
-    const args = [mesh, face, bary, metric, detail];
+    const args = [this.#meshPointer(owner), face, bary, metric, detail];
     const { voronoi } = await this.#answer<{ voronoi: Pointer }>('createVoronoi', args, task);
     return this.#storeDiagram(voronoi, task);
   }
@@ -224,7 +208,7 @@ export class LocalEngine implements Engine {
   ): Promise<OpenedDiagram> {
     const handle = this.#store({ pointer: voronoi, free: 'freeVoronoi' });
     try {
-      const data = await this.#answerOf<DiagramData>('voronoiDiagram', handle, [], { signal });
+      const data = await this.call<DiagramData>('voronoiDiagram', handle, [], { signal });
       onProgress?.(1); // may throw, which ends the task
       return { handle, data };
     } catch (error) {
@@ -248,8 +232,7 @@ export class LocalEngine implements Engine {
     form: CvtForm,
     { signal }: TaskOptions,
   ): Promise<AdvancedCvt | undefined> {
-    signal?.throwIfAborted();
-    const { hasState, ...state } = await this.#answerOf<AdvancedCvt & { hasState: boolean }>(
+    const { hasState, ...state } = await this.call<AdvancedCvt & { hasState: boolean }>(
       'advanceCvt',
       handle,
       [],
@@ -266,8 +249,7 @@ export class LocalEngine implements Engine {
 
   close(object: Handle): void {
     const stored = this.#objects.get(object);
-    if (stored?.free) this.#core?.run(stored.free, stored.pointer);
-    if (stored?.mesh !== undefined) this.#objects.delete(stored.mesh);
+    if (stored) this.#core?.run(stored.free, stored.pointer);
     this.#objects.delete(object);
   }
 
@@ -293,12 +275,10 @@ export class LocalEngine implements Engine {
     return stored;
   }
 
-  /** The mesh itself, or the mesh that a diagram is on. */
-  #meshOf(object: Handle): Handle {
-    const stored = this.#objects.get(object);
-    if (stored?.free !== 'freeVoronoi') return object;
-    stored.mesh ??= this.#store({ pointer: this.#open().call('meshOfVoronoi', stored.pointer) });
-    return stored.mesh;
+  /** Of the mesh itself, or of the mesh that a diagram is on, which is freed with it. */
+  #meshPointer(object: Handle): Pointer {
+    const { pointer, free } = this.#stored(object);
+    return free === 'freeVoronoi' ? this.#open().call('meshOfVoronoi', pointer) : pointer;
   }
 
   #store(object: Omit<StoredObject, 'turns'>): Handle {
