@@ -31,7 +31,6 @@ function partitionStls(partition: Partition): Uint8Array<ArrayBuffer> {
   );
 }
 
-/** The encoders, by the names that `encode` takes. */
 const encoders = {
   diagramGlb,
   diagramJson: (...diagram: Parameters<typeof diagramJson>) =>
@@ -46,22 +45,27 @@ const encoders = {
   polygonPly,
   polygonStl,
 };
-export type Encoders = typeof encoders;
+type Encoders = typeof encoders;
 
-/** A request: an encoder with its arguments, and the media type of the file. */
-export interface EncodingRequest<Name extends keyof Encoders> {
-  name: Name;
-  args: Parameters<Encoders[Name]>;
+/** An encoder by its name, and its arguments. */
+export type Encoding = {
+  [Name in keyof Encoders]: [Name, ...Parameters<Encoders[Name]>];
+}[keyof Encoders];
+
+export interface EncodingRequest {
+  encoding: Encoding;
+  /** The media type of the file. */
   type: string;
 }
 
 /** A worker's own scope. It answers with the file, or with why there is none. */
 const scope = globalThis as unknown as {
-  onmessage: ((event: MessageEvent<EncodingRequest<keyof Encoders>>) => void) | null;
+  onmessage: ((event: MessageEvent<EncodingRequest>) => void) | null;
   postMessage(message: unknown): void;
 };
 
-scope.onmessage = ({ data: { name, args, type } }) => {
+scope.onmessage = ({ data: { encoding, type } }) => {
+  const [name, ...args] = encoding;
   const encode = encoders[name] as (...args: unknown[]) => BlobPart;
   try {
     // A blob is handed over without a copy.

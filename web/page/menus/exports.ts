@@ -6,8 +6,9 @@ import type { AttributeSource, Diagram, DiagramData, PolygonMesh } from 'geodesi
 import type { GeodesicVoronoiElement, Status } from '../../viewer/element.js';
 import { linear } from '../../viewer/buffers/colour_vision.js';
 import { counted } from '../base/numbers.js';
+import { buffersOf } from '../../viewer/buffers/transfer.js';
 import { downloadName, type Formats } from './download_rows.js';
-import { encode } from './encoding.js';
+import type { Encoding, EncodingRequest } from './encoding_worker.js';
 import { outlinesSvg } from './outline_svg.js';
 import { sitesCsv, sitesJson } from '../model/sites_file.js';
 import { modelName } from '../state/page_state.js';
@@ -22,7 +23,8 @@ interface Source {
   violations: (string | undefined)[];
 }
 
-type Maker = (source: Source) => Blob | Promise<Blob>;
+/** Makes the content of a file, or says what a worker is to write. */
+type Maker = (source: Source) => Promise<string | Encoding>;
 
 const mediaTypes = {
   csv: 'text/csv',
@@ -37,38 +39,34 @@ const mediaTypes = {
 
 /** What makes the files, by the rows of the menu and their formats. */
 const makers: Record<string, Record<string, Maker>> = {
-  outlines: {
-    svg: async ({ viewer, diagram }) =>
-      new Blob([await outlinesSvg(viewer, await diagram.fetchData())], { type: mediaTypes.svg }),
-  },
+  outlines: { svg: async ({ viewer, diagram }) => outlinesSvg(viewer, await diagram.fetchData()) },
   sites: {
-    json: ({ viewer }) => new Blob([JSON.stringify(sitesJson(viewer))], { type: mediaTypes.json }),
-    csv: async ({ viewer }) => new Blob([await sitesCsv(viewer)], { type: mediaTypes.csv }),
+    json: async ({ viewer }) => JSON.stringify(sitesJson(viewer)),
+    csv: ({ viewer }) => sitesCsv(viewer),
   },
   diagram: {
     json: async ({ diagram }) => {
       const data = await diagram.fetchData();
       const { metric, sites } = diagram;
-      return encode(mediaTypes.json, 'diagramJson', { metric, sites, data });
+      return ['diagramJson', { metric, sites, data }];
     },
   },
   bisectors: {
     // Copies only the arrays that are needed.
     glb: async ({ diagram }) => {
       const { points, segments } = await bisectorsOf(diagram);
-      return encode(mediaTypes.glb, 'diagramGlb', { points, segments });
+      return ['diagramGlb', { points, segments }];
     },
     obj: async ({ diagram }) => {
       const { points, arcs } = await bisectorsOf(diagram);
-      return encode(mediaTypes.obj, 'diagramObj', { points, arcs });
+      return ['diagramObj', { points, arcs }];
     },
   },
   parts: {
-    glb: async (source) => encode(mediaTypes.glb, 'partitionGlb', ...(await colouredParts(source))),
-    obj: async ({ diagram, mesh }) =>
-      encode(mediaTypes.obj, 'partitionObj', await diagram.partition(), { mesh }),
-    ply: async (source) => encode(mediaTypes.ply, 'partitionPly', ...(await colouredParts(source))),
-    stl: async ({ diagram }) => encode(mediaTypes.zip, 'partitionStls', await diagram.partition()),
+    glb: async (source) => ['partitionGlb', ...(await colouredParts(source))],
+    obj: async ({ diagram, mesh }) => ['partitionObj', await diagram.partition(), { mesh }],
+    ply: async (source) => ['partitionPly', ...(await colouredParts(source))],
+    stl: async ({ diagram }) => ['partitionStls', await diagram.partition()],
   },
   polygons: polygonMakers(regionPolygons),
   dual: polygonMakers(dualPolygons),
@@ -116,14 +114,27 @@ function polygonMakers(
   polygons: (source: Source) => Promise<PolygonMesh>,
 ): Record<Formats['dual'], Maker> {
   return {
-    glb: async (source) =>
-      encode(mediaTypes.glb, 'polygonGlb', await polygons(source), { mesh: source.mesh }),
-    obj: async (source) =>
-      encode(mediaTypes.obj, 'polygonObj', await polygons(source), { mesh: source.mesh }),
-    ply: async (source) =>
-      encode(mediaTypes.ply, 'polygonPly', await polygons(source), { mesh: source.mesh }),
-    stl: async (source) => encode(mediaTypes.stl, 'polygonStl', await polygons(source)),
+    glb: async (source) => ['polygonGlb', await polygons(source), { mesh: source.mesh }],
+    obj: async (source) => ['polygonObj', await polygons(source), { mesh: source.mesh }],
+    ply: async (source) => ['polygonPly', await polygons(source), { mesh: source.mesh }],
+    stl: async (source) => ['polygonStl', await polygons(source)],
   };
+}
+
+/**
+ * Writes a file in a worker of its own. Partitions and polygons are transferred, since nobody else
+ * has them; other arguments are copied.
+ */
+function encoded(encoding: Encoding, type: string): Promise<Blob> {
+  const worker = new Worker(new URL('./encoding_worker.ts', import.meta.url), { type: 'module' });
+  return new Promise<Blob>((resolve, reject) => {
+    worker.onmessage = ({ data }: MessageEvent<Blob | string>) =>
+      typeof data === 'string' ? reject(new Error(data)) : resolve(data);
+    worker.onerror = ({ message }) => reject(new Error(message || 'its worker cannot be started'));
+    const [name, result] = encoding;
+    const given = name.startsWith('diagram') ? [] : [...buffersOf(result)];
+    worker.postMessage({ encoding, type } satisfies EncodingRequest, given);
+  }).finally(() => worker.terminate());
 }
 
 /** The arrays of a mesh that files need; no others, to avoid copies. */
@@ -176,7 +187,9 @@ export async function fileOf(
   // Another model may be opened while the file is made.
   const [model, mesh] = [modelName(viewer), sourceOf(viewer)];
   const violations: string[] = [];
-  const blob = await makers[name][format]({ viewer, diagram, mesh, violations });
-  const ending = blob.type === mediaTypes.zip ? 'zip' : format;
+  const made = await makers[name][format]({ viewer, diagram, mesh, violations });
+  const ending = name === 'parts' && format === 'stl' ? 'zip' : format;
+  const type = mediaTypes[ending as keyof typeof mediaTypes];
+  const blob = typeof made === 'string' ? new Blob([made], { type }) : await encoded(made, type);
   return { blob, name: downloadName(model, name, ending), violations: violations.join(' ') };
 }
