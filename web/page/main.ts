@@ -14,7 +14,6 @@ import { Edits } from './state/edits.js';
 import { setUpFirstSight } from './state/first_sight.js';
 import { setUpMeshReport } from './model/mesh_report.js';
 import { setUpModelChoice } from './model/model_choice.js';
-import { setUpSizeWarning } from './model/size_warning.js';
 import { setUpCvtControls } from './controls/cvt_controls.js';
 import { setUpDensityControls } from './controls/density_controls.js';
 import { keepFocus } from './controls/kept_focus.js';
@@ -51,7 +50,6 @@ export function setUpPage(modules: Promise<LoadOptions>, model: FetchedModel): v
   const edits = new Edits(viewer);
   setUpModelChoice(viewer, edits);
   setUpMeshReport(viewer);
-  setUpSizeWarning(viewer);
   const readings = new CvtReadings(viewer);
   setUpFirstSight(viewer, readings);
   setUpAddress(viewer, edits);
