@@ -143,7 +143,7 @@ test('the material of a model that is gone by the time is freed', async () => {
     session: { status: 'loading' },
     model: {
       files: file,
-      builder: { plySurface: async () => surface },
+      builder: { ask: async () => surface },
       drawing: { mesh: { frame: { scale: 1, centre: [0, 0, 0] } }, setOriginal() {} },
     },
     stage: {

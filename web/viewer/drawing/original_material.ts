@@ -212,7 +212,7 @@ async function plyScene(
   builder: DrawingBuilder,
   signal: AbortSignal,
 ): Promise<Object3D | undefined> {
-  const made = await builder.plySurface(bytes);
+  const made = await builder.ask('ply', bytes.slice());
   signal.throwIfAborted(); // the builder has ended with the model, and nothing is to be made here
   const surface =
     made === undefined ? (await import('../buffers/ply_surface.js')).plySurface(bytes) : made;

@@ -149,22 +149,26 @@ export class DerivedDrawings {
   }
 
   async #makeParts(diagram: Diagram, signal: AbortSignal): Promise<Parts | undefined> {
-    const partition = await diagram.partition({ signal });
+    const { points, triangles, regions } = await diagram.partition({ signal });
     const { model, stage } = this.#place;
     if (!model) return undefined;
     const { builder, drawing } = model;
-    const regions = partition.regions.area.length;
-    const triangles = await builder.parts(partition, drawing.tones);
+    const drawn = {
+      points: { position: points.position },
+      triangles,
+      regions: { centroid: regions.centroid },
+    };
+    const made = await builder.ask('parts', drawn, drawing.tones.slice());
     signal.throwIfAborted();
-    if (!triangles) throw workerStopped();
-    const parts = drawing.exploded.prepare(triangles);
+    if (!made) throw workerStopped();
+    const parts = drawing.exploded.prepare(made);
     for (let isFirst = true; parts.uploadMore(); isFirst = false) {
       if (isFirst) await stage.compile(parts.object);
       stage.invalidate();
       await nextFrame();
       signal.throwIfAborted();
     }
-    return { regions, parts };
+    return { regions: regions.area.length, parts };
   }
 
   #showParts(shown: Parts | undefined): void {
@@ -179,7 +183,7 @@ export class DerivedDrawings {
     if (!model) return undefined;
     const { mesh } = model.drawing;
     const { points, cells, faceLabel } = await diagram.fetchData({ signal });
-    const corners = await model.builder.corners({ faceLabel });
+    const corners = await model.builder.ask('corners', faceLabel);
     signal.throwIfAborted();
     if (!corners) throw workerStopped();
     const atPoints = await diagram.locate(points, { signal });
@@ -192,7 +196,7 @@ export class DerivedDrawings {
     for (const { distance } of [atPoints, atCorners]) {
       for (const each of distance) if (each > longest && each < Infinity) longest = each;
     }
-    const triangles = await model.builder.distances({
+    const triangles = await model.builder.ask('distances', {
       cells: { cells, points: { position: points.position } },
       faceLabel,
       atPoints: atPoints.distance,
@@ -266,7 +270,7 @@ export class DerivedDrawings {
     const { attributes, model, stage } = this.#place;
     if (!model || model === this.#withEdges || !attributes.layers.includes('wireframe')) return;
     this.#withEdges = model;
-    const edges = await model.builder.edges();
+    const edges = await model.builder.ask('edges');
     if (model !== this.#place.model) return;
     model.drawing.setEdges(edges ?? meshEdges(model.drawing.mesh.indices));
     stage.invalidate();

@@ -70,7 +70,7 @@ export class DensityPaint {
   async prepare(builder: DrawingBuilder): Promise<void> {
     if (this.#isPrepared) return;
     this.#isPrepared = true;
-    this.#adjacency ??= await builder.adjacency();
+    this.#adjacency ??= await builder.ask('adjacency');
   }
 
   /** Returns whether any vertex is within reach: where triangles are large, there may be none. */

@@ -37,7 +37,7 @@ export class OpenModel {
     // Only of a closed surface in one piece, with no triangle turned over, is the inside certainly never seen.
     if (boundaryLoops === 0 && components === 1 && repairs.flippedTriangles === 0)
       this.drawing.front = Math.sign(scene.sixfoldVolume);
-    this.picker = new Picker(scene, builder.tree());
+    this.picker = new Picker(scene, builder.ask('tree'));
     this.paint = new DensityPaint(scene);
   }
 
@@ -58,7 +58,13 @@ export class OpenModel {
 
   /** Prepares a diagram for drawing: part of it in the worker, the rest here at the same time. */
   async prepare(data: DiagramData, sites: Sites): Promise<PreparedDiagram> {
-    const geometry = this.builder.diagram(data);
+    const { cells, points, segments } = data;
+    // Only the arrays that are needed are copied to the worker.
+    const geometry = this.builder.ask('diagram', {
+      cells,
+      points: { position: points.position },
+      segments: { points: segments.points },
+    });
     const summary = DiagramSummary.of(data);
     const tones = this.drawing.assignTones(summary, sites);
     return { summary, tones, geometry: await geometry };

@@ -108,7 +108,8 @@ async function sceneOf(
   builder: DrawingBuilder,
   signal: AbortSignal,
 ): Promise<SceneMesh> {
-  const arrays = await builder.scene(mesh);
+  const { positions, indices } = mesh;
+  const arrays = await builder.ask('scene', { positions, indices });
   signal.throwIfAborted();
   return new SceneMesh(arrays ?? (await import('../buffers/scene_arrays.js')).sceneArrays(mesh));
 }
