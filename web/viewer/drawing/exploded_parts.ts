@@ -86,6 +86,7 @@ export class ExplodedParts {
   }
 
   dispose(): void {
+    this.object.removeFromParent();
     for (const { geometry } of this.object.children as Mesh[]) geometry.dispose();
     this.#material.dispose();
   }

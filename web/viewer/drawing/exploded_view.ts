@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The exploded view: which parts are shown instead of the whole model, and which come next.
+// The exploded view: the parts that are shown instead of the whole model.
 
 import { type Data3DTexture, Group } from 'three';
 import type { PartTriangles } from '../buffers/part_triangles.js';
@@ -12,7 +12,6 @@ export class ExplodedView {
   readonly #occlusion: Data3DTexture;
   #shade = 1;
   #shown: ExplodedParts | undefined;
-  #coming: ExplodedParts | undefined;
 
   /** Parts are shown instead of `whole`. */
   constructor(whole: Group, occlusion: Data3DTexture) {
@@ -20,34 +19,26 @@ export class ExplodedView {
     this.#occlusion = occlusion;
   }
 
-  /** Makes parts to be uploaded before they are shown; drops earlier ones that were never shown. */
+  /** Makes parts to be uploaded before they are shown; whoever never shows them disposes of them. */
   prepare(triangles: PartTriangles): ExplodedParts {
-    this.#discard(this.#coming);
-    this.#coming = new ExplodedParts(triangles, this.#occlusion);
-    this.#coming.shade = this.#shade;
-    this.object.add(this.#coming.object);
-    return this.#coming;
+    const parts = new ExplodedParts(triangles, this.#occlusion);
+    this.object.add(parts.object);
+    return parts;
   }
 
   /** Shows prepared parts; undefined for none. */
   show(parts: ExplodedParts | undefined): void {
-    if (this.#coming !== parts) this.#discard(this.#coming);
-    this.#coming = undefined;
-    this.#discard(this.#shown);
+    this.#shown?.dispose();
     this.#shown = parts;
+    this.shade = this.#shade;
     parts?.show();
     this.#whole.visible = !parts;
-  }
-
-  #discard(parts: ExplodedParts | undefined): void {
-    if (parts) this.object.remove(parts.object);
-    parts?.dispose();
   }
 
   /** The factor that colours are multiplied by. */
   set shade(shade: number) {
     this.#shade = shade;
-    for (const parts of [this.#shown, this.#coming]) if (parts) parts.shade = shade;
+    if (this.#shown) this.#shown.shade = shade;
   }
 
   /** How far the parts have moved, 0 … 1. */

@@ -9,6 +9,8 @@ interface DerivedUse<Source, Result> {
   compute(source: Source, signal: AbortSignal): Promise<Result | undefined>;
   /** Gets the latest source's result; undefined without one, or with an error after a failure. */
   adopt(result: Result | undefined, error?: unknown): void;
+  /** Frees a result that nobody wants any more when it is there. */
+  discard?(result: Result): void;
 }
 
 /** A result computed from a source that is shown (a diagram, a model), as long as it is wanted. */
@@ -37,6 +39,7 @@ export class Derived<Source extends object, Result> {
       if (!isAbandoned(error, signal)) failure = error;
     }
     if (!signal.aborted) this.#use.adopt(result, failure);
+    else if (result) this.#use.discard?.(result);
   }
 
   /** Gives up a result that is under way. One that has been adopted stays until the next update. */

@@ -63,6 +63,7 @@ export class DerivedDrawings {
     'The exploded view cannot be drawn',
     (diagram, signal) => this.#makeParts(diagram, signal),
     (parts) => this.#showParts(parts),
+    ({ parts }) => parts.dispose(),
   );
   readonly #distances = this.#ofDiagram<DrawnDistances>(
     'The distances cannot be drawn',
@@ -72,6 +73,7 @@ export class DerivedDrawings {
   readonly #original = new Derived<OpenModel, OriginalMaterial>({
     compute: (model, signal) => this.#readOriginal(model, signal),
     adopt: (original, error) => this.#showOriginal(original, error as Error | undefined),
+    discard: (original) => original.dispose(),
   });
   /** The model whose edges have been asked for: they stay with it. */
   #withEdges: OpenModel | undefined;
@@ -87,6 +89,7 @@ export class DerivedDrawings {
     failing: string,
     compute: (diagram: Diagram, signal: AbortSignal) => Promise<Result | undefined>,
     show: (result: Result | undefined) => void,
+    discard?: (result: Result) => void,
   ): Derived<ShownDiagram, Result> {
     return new Derived({
       compute: async ({ diagram }, signal) => diagram && compute(diagram, signal),
@@ -97,6 +100,7 @@ export class DerivedDrawings {
         }
         show(result);
       },
+      discard,
     });
   }
 
@@ -162,11 +166,10 @@ export class DerivedDrawings {
     signal.throwIfAborted();
     if (!made) throw workerStopped();
     const parts = drawing.exploded.prepare(made);
-    for (let isFirst = true; parts.uploadMore(); isFirst = false) {
+    for (let isFirst = true; !signal.aborted && parts.uploadMore(); isFirst = false) {
       if (isFirst) await stage.compile(parts.object);
       stage.invalidate();
       await nextFrame();
-      signal.throwIfAborted();
     }
     return { regions: regions.area.length, parts };
   }
@@ -246,14 +249,8 @@ export class DerivedDrawings {
   ): Promise<OriginalMaterial | undefined> {
     const { originalMaterial } = await import('../drawing/original_material.js');
     const material = await originalMaterial(files, drawing.mesh.frame, builder, signal);
-    try {
-      if (material) await this.#place.stage.compile(material.object);
-      signal.throwIfAborted();
-      return material;
-    } catch (error) {
-      material?.dispose();
-      throw error;
-    }
+    if (material) await this.#place.stage.compile(material.object);
+    return material;
   }
 
   #showOriginal(material: OriginalMaterial | undefined, error: Error | undefined): void {
