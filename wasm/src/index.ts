@@ -8,8 +8,8 @@ import { GeodesicVoronoiError, invalidArgument, type ErrorCode } from './api/err
 import { Library } from './library/library.js';
 import {
   compileSources,
+  loadDefaults,
   loadLocal,
-  sourcesOf,
   type CompileOptions,
   type LoadOptions,
   type Modules,
@@ -87,21 +87,18 @@ export interface LoadWorkerOptions extends LoadOptions {
  * Models compressed by Draco need `geodesic-voronoi/draco.wasm`, too: the option `dracoWasm`.
  */
 export async function loadWorker(options?: LoadWorkerOptions): Promise<GeodesicVoronoi> {
-  const { worker: given, ...loaded } = toOptions(options, {
+  const { worker, wasm, gltfWasm, dracoWasm } = toOptions(options, {
     worker: undefined,
-    wasm: undefined,
-    gltfWasm: undefined,
-    dracoWasm: undefined,
+    ...loadDefaults(),
   });
-  const { wasm, gltfWasm, dracoWasm } = sourcesOf(loaded);
-  requireWorker(given);
+  requireWorker(worker);
   const sources = {
     wasm: await toPost('wasm', wasm),
     gltfWasm: await toPost('gltfWasm', gltfWasm),
     dracoWasm: await toPost('dracoWasm', dracoWasm),
   };
   // The worker starts last: none is left behind by a source that cannot be posted.
-  return new Library(await startWorkerEngine(startWorker(given), sources, nameOf(given)));
+  return new Library(await startWorkerEngine(startWorker(worker), sources, nameOf(worker)));
 }
 
 function isWorker(worker: unknown): worker is PageWorker {

@@ -4,7 +4,6 @@
 
 import { toOptions } from './base/checks.js';
 import { compile, type CompileAddress } from './base/compile.js';
-import type { EngineSources } from './engine/engine.js';
 import { Library } from './library/library.js';
 import { LocalEngine } from './engine/local_engine.js';
 import type { CompiledModule, WasmSource } from './api/options.js';
@@ -40,12 +39,11 @@ function known(address: () => URL): URL | undefined {
   }
 }
 
-export function sourcesOf(options: LoadOptions | undefined): EngineSources {
-  return toOptions(options, {
-    ...beside(),
-    dracoWasm: known(() => new URL('./draco.wasm', import.meta.url)),
-  });
-}
+/** The options of loading, where they are left out. */
+export const loadDefaults = () => ({
+  ...beside(),
+  dracoWasm: known(() => new URL('./draco.wasm', import.meta.url)),
+});
 
 export async function compileSources(
   options: CompileOptions | undefined,
@@ -63,5 +61,5 @@ export async function loadLocal(
   options: LoadOptions | undefined,
   compileAddress: CompileAddress,
 ): Promise<GeodesicVoronoi> {
-  return new Library(await LocalEngine.load(sourcesOf(options), compileAddress));
+  return new Library(await LocalEngine.load(toOptions(options, loadDefaults()), compileAddress));
 }
