@@ -3,9 +3,8 @@
 // Places in a table of text: x, y and z in a line each.
 
 import { show } from '../base/checks.js';
-import { decimal } from '../base/decimal.js';
 import type { SlicedWork } from '../base/slices.js';
-import { linesPerStep } from './text_words.js';
+import { decimal, linesPerStep } from './text_words.js';
 
 const axes = ['x', 'y', 'z'];
 

@@ -6,12 +6,11 @@
 
 import { invalidFile } from '../api/errors.js';
 import type { SlicedWork } from '../base/slices.js';
-import { decimal } from '../base/decimal.js';
 import type { ReadModel } from '../base/triangles.js';
 import { GrowingArray } from '../base/growing_array.js';
 import { requireVertices, type SizeLimits } from './limits.js';
 import { Polygons } from './polygons.js';
-import { lineFault, linesPerStep, TextWords } from './text_words.js';
+import { decimal, lineFault, linesPerStep, TextWords } from './text_words.js';
 
 export function* readObj(bytes: Uint8Array, limits: SizeLimits): SlicedWork<ReadModel> {
   const words = new TextWords(bytes, { hasComments: true });

@@ -5,12 +5,11 @@
 
 import { invalidFile } from '../api/errors.js';
 import type { SlicedWork } from '../base/slices.js';
-import { decimal } from '../base/decimal.js';
 import type { ReadModel } from '../base/triangles.js';
 import { GrowingArray } from '../base/growing_array.js';
 import { requireTriangles, requireVertices, type SizeLimits } from './limits.js';
 import { Polygons } from './polygons.js';
-import { linesPerStep, TextWords } from './text_words.js';
+import { decimal, linesPerStep, TextWords } from './text_words.js';
 
 /** No vertex or face takes fewer: `0 0 0` or `3 0 1 2`, with the line's end. */
 const leastVertexBytes = 6;

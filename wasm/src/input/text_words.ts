@@ -4,7 +4,6 @@
 // a line of it, only a small part of it is a string at a time.
 
 import { type GeodesicVoronoiError, invalidFile } from '../api/errors.js';
-import { decimal } from '../base/decimal.js';
 
 /** Lines that are read between two places where the work can be interrupted. */
 export const linesPerStep = 64;
@@ -12,7 +11,9 @@ const blockBytes = 2 ** 16;
 /** No number or keyword is as long. */
 const maxWord = 2 ** 12;
 
-const [lineFeed, carriageReturn, space, hash, backslash] = [0x0a, 0x0d, 0x20, 0x23, 0x5c];
+const [lineFeed, carriageReturn, space, hash, zero, backslash] = [
+  0x0a, 0x0d, 0x20, 0x23, 0x30, 0x5c,
+];
 
 interface TextOptions {
   /** The lines of the file before these bytes, if they are only its end. */
@@ -173,6 +174,11 @@ export class TextWords {
 
 export function lineFault(line: number, message: string): GeodesicVoronoiError {
   return invalidFile(`line ${line}: ${message}`);
+}
+
+/** The number that a word is in decimal notation, else NaN: `Number` reads 0x10, 0b1 and 0o7, too. */
+export function decimal(word: string): number {
+  return word.charCodeAt(0) === zero && /^0[box]/i.test(word) ? NaN : Number(word);
 }
 
 function shortened(text: string): string {
