@@ -22,12 +22,12 @@ import type { HoveredPoint } from './tools/hover.js';
 import type { Reader } from './session/mesh_opening.js';
 import { type Layer, layers } from './drawing/model_drawing.js';
 import { droppedFiles, fetchModelFiles, givenFiles, named } from './session/model_files.js';
-import { watchNearness } from './stage/nearness.js';
 import { ReflectingElement } from './element/reflecting_element.js';
 import type { CvtStatus, Status } from './session/session_listener.js';
 import { type PointList, type SitePlace, surfacePointsOf } from './session/site_history.js';
 import type { Session } from './session/session.js';
 import { NoWebGlError } from './stage/shared_renderer.js';
+import { watchNearness } from './stage/watching.js';
 import { Viewer } from './viewer.js';
 
 export type { Command, CvtIteration, CvtStatus, HoveredPoint, Layer, PointList, SitePlace, Status };
@@ -66,7 +66,8 @@ export class GeodesicVoronoiElement extends ReflectingElement {
   #shadow: ElementShadow | undefined;
   /** There while the element is in a document and, if it is lazy, has been near the view. */
   #viewer: Viewer | undefined;
-  #stopWatching = () => {};
+  /** Ends when the element leaves its document. */
+  #connected = new AbortController();
   #isDismissed = false;
 
   constructor() {
@@ -80,9 +81,8 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     this.#shadow = new ElementShadow(this);
     this.#shadow.poster = this.poster;
     this.#describe();
-    this.#stopWatching = watchNearness(this, (isNear) => {
-      if (isNear) this.#start();
-    });
+    this.#connected = new AbortController();
+    watchNearness(this, (isNear) => isNear && this.#start(), this.#connected.signal);
     // All attributes are read here, so only later changes are to be noticed.
     this.#changedAttributes.clear();
     this.setAttribute('status', 'empty');
@@ -361,7 +361,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
   }
 
   #disconnect(): void {
-    this.#stopWatching();
+    this.#connected.abort();
     this.#viewer?.dispose();
     this.#viewer = undefined;
     this.#shadow?.dispose();

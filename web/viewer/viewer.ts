@@ -17,11 +17,9 @@ import type { Emit } from './events.js';
 import { hexagonEnergy } from './session/hexagon_energy.js';
 import { Hover, type HoveredPoint } from './tools/hover.js';
 import type { OpenedMesh, Opening, Reader, SiteSampling } from './session/mesh_opening.js';
-import { watchNearness } from './stage/nearness.js';
 import { OpenModel } from './model/open_model.js';
 import { PageScrolling } from './tools/page_scrolling.js';
 import type { DrawnPixels } from './stage/picture_file.js';
-import { watchPixelRatio } from './stage/pixel_ratio.js';
 import { PointerGestures } from './tools/pointer_gestures.js';
 import { Session } from './session/session.js';
 import type { DrawingUpdate, SessionListener } from './session/session_listener.js';
@@ -33,6 +31,7 @@ import { Stage } from './stage/stage.js';
 import { SurfaceTools, type Workpiece } from './tools/surface_tools.js';
 import { themeOf, watchTheme } from './drawing/theme.js';
 import { paddingAround } from './stage/view_padding.js';
+import { watchNearness, watchPixelRatio } from './stage/watching.js';
 
 /** In milliseconds, short enough for the eye to follow the markers of sites. */
 const longestGlide = 250;
@@ -117,8 +116,7 @@ export class Viewer implements Workpiece {
     resizing.observe(root.host); // whose padding may change alone
     signal.addEventListener('abort', () => resizing.disconnect());
     watchPixelRatio(() => this.stage.invalidate(), signal);
-    const stopWatching = watchNearness(canvas, (isNear) => (this.stage.inView = isNear));
-    signal.addEventListener('abort', stopWatching);
+    watchNearness(canvas, (isNear) => (this.stage.inView = isNear), signal);
     canvas.addEventListener('keydown', (event) => {
       const command = commandOf(event);
       if (command === undefined || !(this.attributes.interactive.edit || isOfView(command))) return;
