@@ -15,16 +15,11 @@ import type {
   OpenedMesh,
 } from './engine.js';
 import { GeodesicVoronoiError } from '../api/errors.js';
-import { type FileInput, type InputModules, readModel } from '../input/read_model.js';
-import type { DiagramData, MeshInfo, MeshPart, SurfacePoints } from '../api/results.js';
+import { type FileInput, type InputModules, type Model, readModel } from '../input/read_model.js';
+import type { DiagramData, MeshInfo, SurfacePoints } from '../api/results.js';
 import { openSeamsNote } from '../base/sentences.js';
 import { inSlices, partOf, type SlicedWork } from '../base/slices.js';
-import {
-  type SubdividedArrays,
-  subdividedParts,
-  subdividedTriangles,
-  subdivisionNotes,
-} from './subdivision.js';
+import { subdivided } from './subdivision.js';
 import type { Triangles } from '../base/triangles.js';
 import { Turns } from '../base/turns.js';
 import type { TaskOptions } from '../api/options.js';
@@ -93,58 +88,35 @@ export class LocalEngine implements Engine {
     task: TaskOptions,
   ): Promise<OpenedMesh> {
     task.signal?.throwIfAborted();
-    return 'positions' in source
-      ? this.#openTriangles(source, [], build, task)
-      : this.#openFiles(source, build, task);
+    if (!('positions' in source)) {
+      const model = await readModel(source, this.#inputModules, partOf(task, 0, readingShare));
+      return this.#openModel(model, build, partOf(task, readingShare, 1));
+    }
+    const origin = { format: 'arrays', file: '' } as const;
+    const model = { triangles: source, parts: [], origin, notes: [] };
+    const opened = await this.#openModel(model, build, task);
+    // The caller has these.
+    return opened.triangles === source ? { ...opened, triangles: undefined } : opened;
   }
 
-  async #openFiles(input: FileInput, build: MeshBuild, task: TaskOptions): Promise<OpenedMesh> {
-    const { parts, origin, notes, ...read } = await readModel(
-      input,
-      this.#inputModules,
-      partOf(task, 0, readingShare),
-    );
-    const { info, triangles, ...opened } = await this.#openTriangles(
-      read.triangles,
-      parts,
-      build,
-      partOf(task, readingShare, 1),
-    );
-    return {
-      ...opened,
-      info: { ...info, origin, notes: [...notes, ...info.notes] },
-      triangles: triangles ?? read.triangles,
-    };
-  }
-
-  async #openTriangles(
-    given: Triangles,
-    parts: MeshPart[],
+  async #openModel(
+    given: Model,
     { maxEdge, weld, orientation, minComponent }: MeshBuild,
     task: TaskOptions,
   ): Promise<OpenedMesh> {
     const { signal, onProgress } = task;
+    const { positions, indices } = given.triangles;
     const core = this.#open();
-    const arrays = core.call('newMeshArrays', given.positions.length, given.indices.length);
+    const arrays = core.call('newMeshArrays', positions.length, indices.length);
     try {
-      await inSlices(this.#copyInto(arrays, given), { signal });
-      const subdivided =
-        maxEdge > 0
-          ? await this.#answer<SubdividedArrays>('subdivideMeshArrays', [arrays, maxEdge], {
-              signal,
-            })
-          : undefined;
-      const triangles = subdivided && subdividedTriangles(given, subdivided);
+      await inSlices(this.#copyInto(arrays, given.triangles), { signal });
+      let model = given;
+      if (maxEdge > 0) {
+        const args = [arrays, maxEdge];
+        model = subdivided(given, await this.#answer('subdivideMeshArrays', args, { signal }));
+      }
       const args = [arrays, weld, orientation, minComponent];
       const { mesh, ...counts } = await this.#answer<CreatedMesh>('createMesh', args, task);
-      const info: MeshInfo = {
-        ...counts,
-        origin: { format: 'arrays', file: '' },
-        notes: [
-          ...(subdivided ? subdivisionNotes(given.indices.length / 3, subdivided) : []),
-          ...(counts.hasOpenSeams ? [openSeamsNote] : []),
-        ],
-      };
       const handle = this.#store({ pointer: mesh, free: 'freeMesh' });
       try {
         onProgress?.(1); // may throw, which ends the task
@@ -152,8 +124,9 @@ export class LocalEngine implements Engine {
         this.close(handle);
         throw error;
       }
-      if (!subdivided) return { handle, info, parts };
-      return { handle, info, parts: subdividedParts(parts, subdivided), triangles };
+      const { triangles, parts, origin } = model;
+      const notes = [...model.notes, ...(counts.hasOpenSeams ? [openSeamsNote] : [])];
+      return { handle, info: { ...counts, origin, notes }, parts, triangles };
     } finally {
       core.run('freeMeshArrays', arrays);
     }

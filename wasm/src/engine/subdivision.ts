@@ -3,17 +3,31 @@
 // What belongs to vertices and triangles, carried over to subdivided ones.
 
 import type { MeshPart } from '../api/results.js';
+import type { Model } from '../input/read_model.js';
 import { counted, integer } from '../base/sentences.js';
 import type { Subdivision, Triangles } from '../base/triangles.js';
 
 /** The answer of `subdivideMeshArrays` (subdivision.h). */
-export interface SubdividedArrays extends Pick<Subdivision, 'indices' | 'parents' | 'ends'> {
+interface SubdividedArrays extends Pick<Subdivision, 'indices' | 'parents' | 'ends'> {
   /** The given vertices, then the midpoints. */
   positions: Float64Array<ArrayBuffer>;
 }
 
+/** A model of the children of its triangles. */
+export function subdivided(model: Model, arrays: SubdividedArrays): Model {
+  const { triangles, parts, notes, origin } = model;
+  const [count, children] = [triangles.indices.length / 3, arrays.indices.length / 3];
+  const note = `long edges were halved: ${counted(count, 'triangle')} became ${integer(children)}`;
+  return {
+    triangles: subdividedTriangles(triangles, arrays),
+    parts: subdividedParts(parts, arrays),
+    notes: children === count ? notes : [...notes, note],
+    origin,
+  };
+}
+
 /** The children of triangles; attributes of midpoints are the means of those at their ends. */
-export function subdividedTriangles(
+function subdividedTriangles(
   { positions: { length }, indices: whole, normals, uvs, density }: Triangles,
   { positions, indices, parents, ends }: SubdividedArrays,
 ): Triangles {
@@ -28,10 +42,7 @@ export function subdividedTriangles(
 }
 
 /** The primitives of a glTF, with triangles numbered as after subdivision. */
-export function subdividedParts(
-  parts: readonly MeshPart[],
-  { parents }: SubdividedArrays,
-): MeshPart[] {
+function subdividedParts(parts: readonly MeshPart[], { parents }: SubdividedArrays): MeshPart[] {
   const firstOf = (triangle: number) => firstChildOf(triangle, parents);
   return parts.map((part) => {
     const firstTriangle = firstOf(part.firstTriangle);
@@ -49,13 +60,6 @@ export function firstChildOf(triangle: number, parents: Int32Array): number {
     else high = middle;
   }
   return low;
-}
-
-/** A sentence on what was subdivided; none if nothing was. */
-export function subdivisionNotes(triangles: number, { indices }: SubdividedArrays): string[] {
-  const children = indices.length / 3;
-  if (children === triangles) return [];
-  return [`long edges were halved: ${counted(triangles, 'triangle')} became ${integer(children)}`];
 }
 
 /** Values per vertex, `size` numbers each, with those of the midpoints. */

@@ -36,7 +36,8 @@ export interface FileInput {
   file?: string;
 }
 
-interface Model {
+/** What is read from the files of a model. */
+export interface Model {
   triangles: Triangles;
   origin: MeshOrigin;
   parts: MeshPart[];
