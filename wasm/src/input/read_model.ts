@@ -6,8 +6,8 @@ import { invalidFile } from '../api/errors.js';
 import { readGltf } from './gltf_reader.js';
 import type { MeshOrigin, MeshPart } from '../api/results.js';
 import { imported } from '../base/compile.js';
-import { inSlices, type SlicedWork } from '../base/slices.js';
-import type { ReadModel, Triangles } from '../base/triangles.js';
+import { inSlices } from '../base/slices.js';
+import type { Triangles } from '../base/triangles.js';
 import type { CompiledModule, GltfLimits, ModelFiles, TaskOptions } from '../api/options.js';
 import { decompressed } from './gltf_decompression.js';
 import {
@@ -116,41 +116,33 @@ export async function readModel(
   task: TaskOptions,
 ): Promise<Model> {
   const { file, format, bytes, resource } = await modelIn(files, wanted, task);
-  const sizes = toSizeLimits(limits);
-  switch (format) {
-    case 'glTF': {
-      const readable = await readableGltf(bytes, resource, modules.draco, task);
-      const { parts, notes, ...triangles } = await readGltf(
-        await modules.gltf(),
-        readable,
-        limits,
-        task,
-      );
-      return { triangles, parts, notes, origin: { file, format } };
-    }
-    case 'OBJ':
-      return plain((await imported(import('./obj_reader.js'))).readObj(bytes, sizes), 'OBJ');
-    case 'OFF':
-      return plain((await imported(import('./off_reader.js'))).readOff(bytes, sizes), 'OFF');
-    case 'PLY':
-      return plain((await imported(import('./ply_reader.js'))).readPly(bytes, sizes), 'PLY');
-    case 'binary STL':
-      return plain((await imported(import('./stl_reader.js'))).readBinaryStl(bytes, sizes), 'STL');
-    case 'text STL':
-      return plain((await imported(import('./stl_reader.js'))).readTextStl(bytes, sizes), 'STL');
+  if (format === 'glTF') {
+    const readable = await readableGltf(bytes, resource, modules.draco, task);
+    const module = await modules.gltf();
+    const { parts, notes, ...triangles } = await readGltf(module, readable, limits, task);
+    return { triangles, parts, notes, origin: { file, format } };
   }
-
-  async function plain(work: SlicedWork<ReadModel>, format: MeshOrigin['format']): Promise<Model> {
-    const { notes, ...read } = await inSlices(work, task);
-    // An empty array for each: a worker hands over every buffer once.
-    const none = {
-      normals: new Float64Array(),
-      uvs: new Float64Array(),
-      density: new Float64Array(),
-    };
-    return { triangles: { ...none, ...read }, parts: [], notes, origin: { file, format } };
-  }
+  const read = await imported(readers[format]());
+  const { notes, ...triangles } = await inSlices(read(bytes, toSizeLimits(limits)), task);
+  // An empty array for each: a worker hands over every buffer once.
+  const none = {
+    normals: new Float64Array(),
+    uvs: new Float64Array(),
+    density: new Float64Array(),
+  };
+  const isStl = format === 'binary STL' || format === 'text STL';
+  const origin = { file, format: isStl ? 'STL' : format } as const;
+  return { triangles: { ...none, ...triangles }, parts: [], notes, origin };
 }
+
+/** The readers of formats without parts. */
+const readers = {
+  OBJ: async () => (await import('./obj_reader.js')).readObj,
+  OFF: async () => (await import('./off_reader.js')).readOff,
+  PLY: async () => (await import('./ply_reader.js')).readPly,
+  'binary STL': async () => (await import('./stl_reader.js')).readBinaryStl,
+  'text STL': async () => (await import('./stl_reader.js')).readTextStl,
+};
 
 /** The glTF with those of its files that are there, and nothing in it compressed. */
 async function readableGltf(
