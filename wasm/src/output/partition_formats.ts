@@ -2,7 +2,7 @@
 //
 // A partition as a file.
 
-import { joinedVertices, partitionVertices, type TriangleRun } from './vertex_attributes.js';
+import { partitionVertices, someVertices, type TriangleRun } from './vertex_attributes.js';
 import { show, toResult } from '../base/checks.js';
 import { integers, oneOf, requireAllowed, share } from '../base/rules.js';
 import {
@@ -151,8 +151,9 @@ function regionsGlb(
 ): Uint8Array<ArrayBuffer> {
   const file = new GlbBuilder(partition.points.position, scale);
   const runs = partsOf(partition);
-  const parts = partitionVertices(partition, mesh, runs).map(({ vertices, corners }, i) => {
-    const { label } = runs[i];
+  const { vertices, corners, offset } = partitionVertices(partition, mesh, runs);
+  const parts = runs.map(({ label, first, last }, i) => {
+    const [begin, end] = [offset[i], offset[i + 1]];
     const name = nameOf(label);
     const extras = { region: label };
     return {
@@ -161,8 +162,8 @@ function regionsGlb(
         name,
         primitives: [
           {
-            attributes: glbAttributes(file, vertices),
-            indices: file.indices(corners),
+            attributes: glbAttributes(file, someVertices(vertices, begin, end)),
+            indices: file.indices(corners.subarray(3 * first, 3 * last).map((c) => c - begin)),
             material: i,
           },
         ],
@@ -184,25 +185,18 @@ function featuresGlb(
   const siteCount = partition.regions.area.length;
   const file = new GlbBuilder(partition.points.position, scale);
   const runs = partsOf(partition);
-  const patches = partitionVertices(partition, mesh, runs);
   // Vertices on borders are repeated for each region, because a vertex has one feature id.
-  const vertices = joinedVertices(patches.map((patch) => patch.vertices));
+  const { vertices, corners, offset } = partitionVertices(partition, mesh, runs);
   const ids = new Float32Array(vertices.points.length);
   const colours = new Uint8Array(4 * ids.length);
-  const corners = new Uint32Array(partition.triangles.points.length);
-  let [vertex, corner] = [0, 0];
-  patches.forEach((patch, i) => {
-    const { label } = runs[i];
-    const end = vertex + patch.vertices.points.length;
-    ids.fill(label < 0 ? siteCount : label, vertex, end);
+  runs.forEach(({ label }, i) => {
+    ids.fill(label < 0 ? siteCount : label, offset[i], offset[i + 1]);
     const colour = [...(regionColours[label] ?? hueOf(label)), 1].map((x) => Math.round(255 * x));
-    for (let v = vertex; v < end; ++v) colours.set(colour, 4 * v);
-    for (const c of patch.corners) corners[corner++] = vertex + c;
-    vertex = end;
+    for (let v = offset[i]; v < offset[i + 1]; ++v) colours.set(colour, 4 * v);
   });
   const isPartUnreached = runs[runs.length - 1].label < 0;
   const featureIds = {
-    featureCount: patches.length - Number(isPartUnreached),
+    featureCount: runs.length - Number(isPartUnreached),
     attribute: 0,
     label: 'region',
     ...(isPartUnreached && { nullFeatureId: siteCount }),
@@ -232,7 +226,7 @@ function featuresGlb(
 export function partitionObj(partition: Partition, options?: SurfaceFileOptions): string {
   toPartition(partition);
   const { mesh, scale } = toFileOptions(options, { mesh: undefined });
-  const [{ vertices, corners }] = partitionVertices(partition, mesh, [allOf(partition)]);
+  const { vertices, corners } = partitionVertices(partition, mesh, [allOf(partition)]);
   const lines = objLines(partition.points.position, vertices, scale);
   const corner = (c: number) => objCorner(vertices, partition.triangles.points[c], corners[c]);
   for (const { label, first, last } of partsOf(partition)) {
@@ -257,7 +251,7 @@ export function partitionPly(
     const bytes = (colours[region] ?? hueOf(region)).map(srgbByte);
     for (let t = first; t < last; ++t) rgb.set(bytes, 3 * t);
   }
-  const [{ vertices, corners }] = partitionVertices(partition, mesh, [allOf(partition)]);
+  const { vertices, corners } = partitionVertices(partition, mesh, [allOf(partition)]);
   const offset = Int32Array.from({ length: partition.triangles.label.length + 1 }, (_, t) => 3 * t);
   return ply(
     'Regions of a geodesic Voronoi diagram',

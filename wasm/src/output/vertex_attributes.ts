@@ -99,10 +99,13 @@ export interface TriangleRun {
   last: number;
 }
 
-/** Vertices of a run of triangles, and the vertex of each corner. */
+/** The vertices of runs of triangles, one run after the other. */
 interface RunVertices {
   vertices: FileVertices;
+  /** The vertex of each corner of the partition's triangles. */
   corners: Uint32Array<ArrayBuffer>;
+  /** Run i has the vertices `offset[i] … offset[i + 1] - 1`. */
+  offset: number[];
 }
 
 /**
@@ -113,19 +116,19 @@ export function partitionVertices(
   { triangles, points }: Partition,
   source: AttributeSource | undefined,
   runs: readonly TriangleRun[],
-): RunVertices[] {
+): RunVertices {
   const interpolator = source && new Interpolator(source);
   const values = interpolator?.values ?? new Float32Array();
   /** Per point the last vertex of the run made there, -1 for none. */
   const newest = new Int32Array(points.face.length).fill(-1);
-  return runs.map(({ first, last }) => {
-    /** Per vertex the one before at its point. */
-    const before: number[] = [];
-    const at: number[] = [];
-    const rows: number[] = [];
-    const corners = new Uint32Array(3 * (last - first));
-    for (let c = 0; c < corners.length; ++c) {
-      const corner = 3 * first + c;
+  /** Per vertex the one before at its point. */
+  const before: number[] = [];
+  const at: number[] = [];
+  const rows: number[] = [];
+  const corners = new Uint32Array(triangles.points.length);
+  const offset = [0];
+  for (const { first, last } of runs) {
+    for (let corner = 3 * first; corner < 3 * last; ++corner) {
       const point = triangles.points[corner];
       interpolator?.moveTo(triangles.face[Math.floor(corner / 3)], triangles.bary, 3 * corner);
       let vertex = newest[point];
@@ -138,13 +141,27 @@ export function partitionVertices(
         newest[point] = vertex;
         rows.push(...values);
       }
-      corners[c] = vertex;
+      corners[corner] = vertex;
     }
     // Not by a new array: there may be as many runs as points.
-    for (const point of at) newest[point] = -1;
-    const columns = source && values.length > 0 ? columnsOf(source, rows) : {};
-    return { vertices: { points: Int32Array.from(at), ...columns }, corners };
-  });
+    for (let vertex = offset.at(-1)!; vertex < at.length; ++vertex) newest[at[vertex]] = -1;
+    offset.push(at.length);
+  }
+  const columns = source && values.length > 0 ? columnsOf(source, rows) : {};
+  return { vertices: { points: Int32Array.from(at), ...columns }, corners, offset };
+}
+
+/** The vertices `begin … end - 1`. */
+export function someVertices(
+  { points, normals, uvs }: FileVertices,
+  begin: number,
+  end: number,
+): FileVertices {
+  return {
+    points: points.subarray(begin, end),
+    ...(normals && { normals: normals.subarray(3 * begin, 3 * end) }),
+    ...(uvs && { uvs: uvs.subarray(2 * begin, 2 * end) }),
+  };
 }
 
 /** One vertex per point. */
@@ -194,20 +211,4 @@ function directionOf(vector: ArrayLike<number>, least = 0): number[] | undefined
 function finite(x: number): number {
   const rounded = Math.fround(x);
   return Number.isFinite(rounded) ? rounded : 0;
-}
-
-/** Joins lists of vertices; each attribute is in all of them or in none. */
-export function joinedVertices(lists: FileVertices[]): FileVertices {
-  const count = lists.reduce((sum, { points }) => sum + points.length, 0);
-  const points = new Int32Array(count);
-  const normals = lists[0].normals && new Float32Array(3 * count);
-  const uvs = lists[0].uvs && new Float32Array(2 * count);
-  let at = 0;
-  for (const list of lists) {
-    points.set(list.points, at);
-    normals?.set(list.normals!, 3 * at);
-    uvs?.set(list.uvs!, 2 * at);
-    at += list.points.length;
-  }
-  return { points, ...(normals && { normals }), ...(uvs && { uvs }) };
 }
