@@ -119,7 +119,8 @@ export class Viewer implements Workpiece {
     watchNearness(canvas, (isNear) => (this.stage.inView = isNear), signal);
     canvas.addEventListener('keydown', (event) => {
       const command = commandOf(event);
-      if (command === undefined || !(this.attributes.interactive.edit || isOfView(command))) return;
+      const mayEdit = this.attributes.interactive === 'edit';
+      if (command === undefined || !(mayEdit || isOfView(command))) return;
       event.preventDefault();
       // A key that is held repeats its command; a tessellation would begin and pause by turns.
       if (event.repeat && command === 'play-cvt') return;

@@ -53,13 +53,10 @@ export class Attributes {
     return this.#given('alt') || 'A surface with its geodesic Voronoi diagram';
   }
 
-  /**
-   * Whether there is anything to do with pointer and keys, and whether it changes sites and
-   * density.
-   */
-  get interactive(): { camera: boolean; edit: boolean } {
+  /** What pointer and keys do: change sites and density too, move the camera only, or nothing. */
+  get interactive(): 'edit' | 'camera' | 'none' {
     const text = this.#given('interactive');
-    return { camera: text !== 'none', edit: text !== 'none' && text !== 'camera' };
+    return text === 'camera' || text === 'none' ? text : 'edit';
   }
 
   get touchAction(): string | undefined {

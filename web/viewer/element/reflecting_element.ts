@@ -116,8 +116,7 @@ export class ReflectingElement extends Base {
 
   /** What pointer and keys do: change sites and density too, move the camera only, or nothing. */
   get interactive(): 'edit' | 'camera' | 'none' {
-    const { camera, edit } = this.attributeValues.interactive;
-    return edit ? 'edit' : camera ? 'camera' : 'none';
+    return this.attributeValues.interactive;
   }
 
   set interactive(interactive: 'edit' | 'camera' | 'none' | undefined) {

@@ -82,7 +82,8 @@ export function instructionsOf({ interactive, isPainting }: Attributes): string 
     'N and P select a site, Shift with arrow keys moves it, Delete removes it. ' +
     'Control Z undoes, Control Y redoes. Space evens out the regions, or pauses. ' +
     'Escape gives up what is under way.';
-  return [interactive.camera && ofCamera, interactive.edit && ofEdit].filter(Boolean).join(' ');
+  if (interactive === 'none') return '';
+  return interactive === 'camera' ? ofCamera : `${ofCamera} ${ofEdit}`;
 }
 
 /** Commands that change nothing but the view. */

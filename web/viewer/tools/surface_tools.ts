@@ -108,7 +108,7 @@ export class SurfaceTools {
   siteAt(x: number, y: number, reach: number): number | undefined {
     const { attributes, model, session, stage } = this.#work;
     const { layers, interactive } = attributes;
-    if (!model || !layers.includes('sites') || this.#isExploded || !interactive.edit)
+    if (!model || !layers.includes('sites') || this.#isExploded || interactive !== 'edit')
       return undefined;
     const { drawing } = model;
     const toClient = stage.projection();
@@ -138,7 +138,7 @@ export class SurfaceTools {
   /** Whether a stroke of a brush begins there, rather than anything else. */
   beginStroke(x: number, y: number): boolean {
     const { attributes, stage } = this.#work;
-    const isBrush = attributes.interactive.edit && attributes.isPainting;
+    const isBrush = attributes.interactive === 'edit' && attributes.isPainting;
     return isBrush && this.#dab(stage.toDevice(x, y)) !== undefined;
   }
 
@@ -195,7 +195,7 @@ export class SurfaceTools {
   /** A click beside all sites. */
   click(x: number, y: number): void {
     const { attributes, stage } = this.#work;
-    if (attributes.interactive.edit) this.useAt(stage.toDevice(x, y));
+    if (attributes.interactive === 'edit') this.useAt(stage.toDevice(x, y));
   }
 
   /** Zooming begins, towards this place. */
@@ -225,7 +225,7 @@ export class SurfaceTools {
     const hit = this.pick(stage.toDevice(x, y));
     const isOverSite =
       hit && !attributes.isPainting && this.siteAt(x, y, pointerReach) !== undefined;
-    const overSurface = attributes.interactive.edit ? 'crosshair' : '';
+    const overSurface = attributes.interactive === 'edit' ? 'crosshair' : '';
     stage.canvas.style.cursor = isOverSite ? 'grab' : hit ? overSurface : '';
     hover.moveTo(hit);
     this.#showBrush(hit);
