@@ -34,6 +34,6 @@ export function diagramGeometry(
   { cells, points, segments }: DiagramLines,
 ): DiagramGeometry {
   const segmentEnds = new Float32Array(6 * roomFor(segments.points.length / 2));
-  mesh.frame.writeToScene(points.position, segments.points, segmentEnds);
+  mesh.frame.toScene(points.position, segments.points, segmentEnds);
   return { cells: cellTriangles(mesh, { cells, points }, roomFor), segmentEnds };
 }

@@ -44,34 +44,23 @@ export class ModelFrame {
     return new ModelFrame(centre, radius > 0 ? 1 / radius : 1);
   }
 
-  /** The triples at the given indices, converted as by `toScene`. */
-  namedToScene(positions: ArrayLike<number>, named: ArrayLike<number>): Float32Array {
-    const scene = new Float32Array(3 * named.length);
-    this.writeToScene(positions, named, scene);
-    return scene;
-  }
-
-  /** Like `namedToScene`, but writes to `scene`. */
-  writeToScene(positions: ArrayLike<number>, named: ArrayLike<number>, scene: Float32Array): void {
+  /**
+   * Converts x, y, z triples to the scene: all of them, or those with these numbers. Subtracts before
+   * rounding: far origins do no harm. The result may have room for more.
+   */
+  toScene(
+    positions: ArrayLike<number>,
+    numbers?: ArrayLike<number>,
+    scene = new Float32Array(numbers ? 3 * numbers.length : positions.length),
+  ): Float32Array {
     const [x, y, z] = this.centre;
     const { scale } = this;
-    for (let i = 0; i < named.length; ++i) {
-      const from = 3 * named[i];
+    const count = numbers ? numbers.length : positions.length / 3;
+    for (let i = 0; i < count; ++i) {
+      const from = 3 * (numbers ? numbers[i] : i);
       scene[3 * i] = (positions[from] - x) * scale;
       scene[3 * i + 1] = (positions[from + 1] - y) * scale;
       scene[3 * i + 2] = (positions[from + 2] - z) * scale;
-    }
-  }
-
-  /** Converts x, y, z triples to the scene. Subtracts before rounding: far origins do no harm. */
-  toScene(positions: ArrayLike<number>): Float32Array {
-    const scene = new Float32Array(positions.length);
-    const [x, y, z] = this.centre;
-    const { scale } = this;
-    for (let i = 0; i < positions.length; i += 3) {
-      scene[i] = (positions[i] - x) * scale;
-      scene[i + 1] = (positions[i + 1] - y) * scale;
-      scene[i + 2] = (positions[i + 2] - z) * scale;
     }
     return scene;
   }

@@ -163,7 +163,7 @@ export function outlineEnds(
       chain.push(loops.points[i], loops.points[i + 1 < end ? i + 1 : first]);
     }
   }
-  return mesh.frame.namedToScene(points.position, chain);
+  return mesh.frame.toScene(points.position, chain);
 }
 
 /**

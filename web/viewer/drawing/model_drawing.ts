@@ -285,6 +285,6 @@ export class ModelDrawing {
 
   #segmentEnds(lines: Lines | undefined): Float32Array {
     if (!lines) return new Float32Array();
-    return this.mesh.frame.namedToScene(lines.points.position, lines.segments.points);
+    return this.mesh.frame.toScene(lines.points.position, lines.segments.points);
   }
 }

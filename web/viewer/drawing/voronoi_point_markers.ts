@@ -60,7 +60,7 @@ export class VoronoiPointMarkers {
   #pointsOf(part: Points): ScenePoint[] {
     const { face, bary, position } = part.points;
     const { point } = part.voronoiPoints;
-    const places = this.#mesh.frame.namedToScene(position, point);
+    const places = this.#mesh.frame.toScene(position, point);
     const outwards = new Float32Array(places.length);
     return labelsAround(part).map((labels, i) => {
       const at = 3 * point[i];
