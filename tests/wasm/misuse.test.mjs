@@ -8,6 +8,7 @@ import { test } from 'node:test';
 import * as api from 'geodesic-voronoi';
 import { BufferGeometry, Mesh } from 'three';
 import { bumpySphere, glb, octahedron } from './meshes.mjs';
+import { meshBinaryStl } from './model_files.mjs';
 
 const { load, loadWorker } = api;
 
@@ -231,6 +232,11 @@ test('arrays for which there is no memory', async () => {
   await changed.moveSite(0, { vertex: 5 });
   await refusedWithoutMemory(() => changed.data);
   assert.equal(changed.data.regionArea.length, 30, 'merged later');
+});
+
+test('a file for whose triangles there is no memory', async () => {
+  const file = meshBinaryStl(octahedron());
+  await refusedWithoutMemory(() => gvd.mesh(file));
 });
 
 /** What takes a signal and tells how far it is. */

@@ -3,6 +3,7 @@
 // Long work on the calling thread, in slices: between them the thread serves others, progress is
 // reported, and the caller may abort.
 
+import { outOfMemory } from '../api/errors.js';
 import type { TaskOptions } from '../api/options.js';
 
 /** How long a slice of work may keep its thread from anything else: less than one of 60 frames per second. */
@@ -23,12 +24,21 @@ export async function inSlices<Result>(
   signal?.throwIfAborted();
   for (;;) {
     const end = performance.now() + sliceMilliseconds;
-    let next = work.next();
-    while (!next.done && performance.now() < end) next = work.next();
+    let next = stepOf(work);
+    while (!next.done && performance.now() < end) next = stepOf(work);
     if (next.done) return next.value;
     onProgress?.(next.value);
     await nextTask();
     signal?.throwIfAborted();
+  }
+}
+
+/** A step of work. An array that is too long for the memory there is throws a `RangeError`. */
+function stepOf<Result>(work: SlicedWork<Result>): IteratorResult<number, Result> {
+  try {
+    return work.next();
+  } catch (cause) {
+    throw cause instanceof RangeError ? outOfMemory(cause) : cause;
   }
 }
 

@@ -167,20 +167,15 @@ export class WasmModule {
     const count = this.#exports.answerRowCount(answer);
     const start = this.#exports.answerRows(answer) >>> 0;
     const decoder = new TextDecoder(); // one for all texts, of which there may be many
-    try {
-      const rows = new Uint32Array(memory.buffer, start, 5 * count).slice();
-      const result = {};
-      for (let i = 0; i < count; ++i) {
-        const [nameAddress, nameLength, address, length, type] = rows.subarray(5 * i);
-        const bytes = new Uint8Array(memory.buffer, nameAddress, nameLength);
-        const name = decoder.decode(bytes);
-        setValue(result, name, yield* valueAt(memory, address, length, type, decoder));
-      }
-      return result as Result;
-    } catch (cause) {
-      // What an array throws that is too long for the memory there is.
-      throw cause instanceof RangeError ? outOfMemory(cause) : cause;
+    const rows = new Uint32Array(memory.buffer, start, 5 * count).slice();
+    const result = {};
+    for (let i = 0; i < count; ++i) {
+      const [nameAddress, nameLength, address, length, type] = rows.subarray(5 * i);
+      const bytes = new Uint8Array(memory.buffer, nameAddress, nameLength);
+      const name = decoder.decode(bytes);
+      setValue(result, name, yield* valueAt(memory, address, length, type, decoder));
     }
+    return result as Result;
   }
 
   /**
