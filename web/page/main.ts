@@ -54,7 +54,7 @@ export function setUpPage(modules: Promise<LoadOptions>, model: FetchedModel): v
   setUpFirstSight(viewer, readings);
   setUpAddress(viewer, edits);
   setUpSiteControls(viewer);
-  setUpCvtControls(viewer, readings);
+  setUpCvtControls(viewer);
   setUpDensityControls(viewer);
   setUpViewControls(viewer);
   setUpToolbar(viewer);

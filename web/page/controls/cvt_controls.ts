@@ -3,15 +3,7 @@
 // The buttons and fields of the centroidal tessellation.
 
 import type { CvtStatus, GeodesicVoronoiElement } from '../../viewer/element.js';
-import type { CvtReadings } from '../readings/cvt_readings.js';
 import { bindAttributes, listen, onClick } from '../base/dom.js';
-
-/** The centroidal tessellation: playing it, and how far it has come. */
-export function setUpCvtControls(viewer: GeodesicVoronoiElement, readings: CvtReadings): void {
-  setUpPlaying(viewer);
-  listen(viewer, 'cvt-iteration', (reached) => readings.add(reached));
-  listen(viewer, 'cvt-change', ({ status }) => readings.tell(status));
-}
 
 /** The text of the button that plays. */
 const actions: Record<CvtStatus, string> = {
@@ -21,7 +13,8 @@ const actions: Record<CvtStatus, string> = {
   done: 'Even out regions',
 };
 
-function setUpPlaying(viewer: GeodesicVoronoiElement): void {
+/** The centroidal tessellation: how it goes, playing it, and going back to before it. */
+export function setUpCvtControls(viewer: GeodesicVoronoiElement): void {
   bindAttributes(viewer, 'cvt-method', 'cvt-iterations', 'cvt-tolerance');
   const isRunning = () => viewer.cvtStatus === 'running';
   // In the exploded view, one would not see it play.

@@ -4,7 +4,7 @@
 
 import { attributeOf } from '../../viewer/attributes/attribute_defaults.js';
 import type { CvtIteration, CvtStatus, GeodesicVoronoiElement } from '../../viewer/element.js';
-import { byId } from '../base/dom.js';
+import { byId, listen } from '../base/dom.js';
 import { EnergyCurve } from './energy_curve.js';
 import { integer, measure } from '../base/numbers.js';
 
@@ -23,6 +23,8 @@ export class CvtReadings {
 
   constructor(viewer: GeodesicVoronoiElement) {
     this.#viewer = viewer;
+    listen(viewer, 'cvt-iteration', (reached) => this.add(reached));
+    listen(viewer, 'cvt-change', ({ status }) => this.tell(status));
   }
 
   add({ iteration, energy, relativeEnergy, largestMove }: CvtIteration): void {
