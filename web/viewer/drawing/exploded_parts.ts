@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The exploded view: the regions as patches that move.
+// The exploded view: the regions as patches that move, shown instead of the whole model.
 
 import {
   BufferAttribute,
@@ -71,7 +71,9 @@ export class ExplodedParts {
     return true;
   }
 
-  show(): void {
+  /** Shows what has been uploaded, its colours multiplied by this factor. */
+  show(shade: number): void {
+    this.shade = shade;
     for (const { geometry } of this.object.children as Mesh[]) geometry.setDrawRange(0, Infinity);
   }
 

@@ -14,8 +14,9 @@ import {
 import { css } from '../buffers/colour_vision.js';
 import type { DiagramGeometry, PreparedDiagram } from '../buffers/diagram_geometry.js';
 import type { DiagramSummary } from '../buffers/diagram_summary.js';
+import type { PartTriangles } from '../buffers/part_triangles.js';
 import { type DrawnDistances, DistanceSurface } from './distance_surface.js';
-import { ExplodedView } from './exploded_view.js';
+import { ExplodedParts } from './exploded_parts.js';
 import { chainEnds, FatLines, wireframe } from './lines.js';
 import type { OriginalMaterial } from './original_material.js';
 import { RegionColours, toneColour } from '../buffers/region_colours.js';
@@ -68,7 +69,6 @@ export class ModelDrawing {
   readonly mesh: SceneMesh;
   readonly sites: SiteDrawing;
   readonly outline: OutlineDrawing;
-  readonly exploded: ExplodedView;
   readonly #surface: RegionSurface;
   readonly #colours: RegionColours;
   /** Each segment has its two labels as keys. */
@@ -84,6 +84,8 @@ export class ModelDrawing {
   readonly #whole = new Group();
   #distances: DistanceSurface | undefined;
   #original: OriginalMaterial | undefined;
+  /** Shown instead of the whole model. */
+  #exploded: ExplodedParts | undefined;
   #wireframe: LineSegments<BufferGeometry, LineBasicMaterial> | undefined;
   readonly #occlusion: Data3DTexture;
   #theme: Theme = lightTheme;
@@ -98,9 +100,8 @@ export class ModelDrawing {
     this.sites = new SiteDrawing(mesh);
     this.outline = new OutlineDrawing(mesh);
     this.#voronoiPoints = new VoronoiPointMarkers(mesh);
-    this.exploded = new ExplodedView(this.#whole, this.#occlusion);
     this.theme = this.#theme;
-    this.object.add(this.#whole, this.exploded.object);
+    this.object.add(this.#whole);
     const lines = [this.#bisectors, this.outline, this.#dual, this.#brush, this.#path];
     this.#parts = [this.#surface, ...lines, this.#voronoiPoints.markers, this.sites];
     this.#whole.add(...this.#parts.map(({ object }) => object));
@@ -125,7 +126,7 @@ export class ModelDrawing {
     this.sites.theme = theme;
     this.#voronoiPoints.markers.theme = theme;
     this.#wireframe?.material.color.set(theme.ink);
-    this.exploded.shade = theme.surfaceShade;
+    if (this.#exploded) this.#exploded.shade = theme.surfaceShade;
   }
 
   show(shown: ReadonlySet<Layer>): void {
@@ -181,6 +182,26 @@ export class ModelDrawing {
     this.#original = original;
     this.#rimBisectors();
     this.#showSurface();
+  }
+
+  /** Parts to be uploaded before they are shown; whoever never shows them disposes of them. */
+  prepareParts(triangles: PartTriangles): ExplodedParts {
+    const parts = new ExplodedParts(triangles, this.#occlusion);
+    this.object.add(parts.object);
+    return parts;
+  }
+
+  /** The regions as prepared parts that move, instead of the whole model; undefined for none. */
+  setExploded(parts: ExplodedParts | undefined): void {
+    this.#exploded?.dispose();
+    this.#exploded = parts;
+    this.#whole.visible = !parts;
+    parts?.show(this.#theme.surfaceShade);
+  }
+
+  /** How far these parts have moved, 0 … 1. */
+  spread(share: number): void {
+    this.#exploded?.spread(share);
   }
 
   #replace(before: Drawn | undefined, after: Drawn | undefined): void {
@@ -253,7 +274,7 @@ export class ModelDrawing {
 
   dispose(): void {
     for (const part of this.#parts) part.dispose();
-    this.exploded.dispose();
+    this.#exploded?.dispose();
     this.#distances?.dispose();
     this.setOriginal(undefined);
     this.#occlusion.dispose();

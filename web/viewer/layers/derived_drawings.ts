@@ -147,7 +147,7 @@ export class DerivedDrawings {
   /** Moves the regions of the exploded view as far as the attributes ask for. */
   spread(): void {
     const { attributes, model, stage } = this.#place;
-    model?.drawing.exploded.spread(attributes.exploded);
+    model?.drawing.spread(attributes.exploded);
     stage.camera.reach = 1 + widestSpread * attributes.exploded;
     stage.invalidate();
   }
@@ -165,7 +165,7 @@ export class DerivedDrawings {
     const made = await builder.ask('parts', drawn, drawing.tones.slice());
     signal.throwIfAborted();
     if (!made) throw workerStopped();
-    const parts = drawing.exploded.prepare(made);
+    const parts = drawing.prepareParts(made);
     for (let isFirst = true; !signal.aborted && parts.uploadMore(); isFirst = false) {
       if (isFirst) await stage.compile(parts.object);
       stage.invalidate();
@@ -175,7 +175,7 @@ export class DerivedDrawings {
   }
 
   #showParts(shown: Parts | undefined): void {
-    this.#place.model?.drawing.exploded.show(shown?.parts);
+    this.#place.model?.drawing.setExploded(shown?.parts);
     this.spread();
     const detail = shown && { regions: shown.regions, triangles: shown.parts.triangleCount };
     this.#emit('exploded', detail ?? null);
