@@ -59,8 +59,6 @@ export class Viewer implements Workpiece {
   #model: OpenModel | undefined;
   /** What is being opened; after that, what is shown, or could not be opened if nothing is. */
   #read: Reader | undefined;
-  /** What the model that is shown was read from. */
-  #readShown: Reader | undefined;
   /** Whether the model that was asked for last is there. */
   #opening: Promise<boolean> | undefined;
   /** The time at which an iteration last moved the sites. */
@@ -153,7 +151,7 @@ export class Viewer implements Workpiece {
   async rebuild(): Promise<void> {
     const { attributes, session } = this;
     session.pauseCvt(); // or the sites to keep would not come to rest
-    const isShown = this.#read === this.#readShown;
+    const isShown = this.#read === session.reader;
     // A mesh whose library has stopped cannot tell where its sites and density are.
     if (isShown && session.hasStopped && !(await session.reopen())) return;
     if (!this.#read) return;
@@ -173,7 +171,7 @@ export class Viewer implements Workpiece {
       opening = this.#opening;
       isOpen = await opening;
     } while (opening !== this.#opening && read === this.#read);
-    if (!isOpen && read === this.#read) this.#read = this.#readShown ?? read;
+    if (!isOpen && read === this.#read) this.#read = this.session.reader ?? read;
     return isOpen;
   }
 
@@ -299,7 +297,6 @@ export class Viewer implements Workpiece {
       modelChanged: (opened) => {
         const { mesh, name } = opened;
         this.attributes.keep(buildAttributes);
-        this.#readShown = this.#read;
         this.#showModel(opened);
         this.#emit('progress', { totalProgress: 1, reason: 'loading' });
         this.#emit('load', { name, info: mesh.info, parts: mesh.parts });

@@ -75,6 +75,11 @@ export class Session {
     return this.#status;
   }
 
+  /** What the present model was read by. */
+  get reader(): Reader | undefined {
+    return this.#opened?.read;
+  }
+
   get mesh(): Mesh | undefined {
     return this.#diagram.mesh;
   }
