@@ -64,7 +64,7 @@ export class LocalEngine implements Engine {
     });
   }
 
-  /** Calls about one object are answered one after the other; `pointer` is what they are made on. */
+  /** Calls about one object are answered one after the other; `pointer` is what they are about. */
   async call<Result>(
     name: string,
     object: Handle,
@@ -144,8 +144,8 @@ export class LocalEngine implements Engine {
   }
 
   /**
-   * The answer of a function of core.wasm, worked on in slices, between which what it is about may be
-   * closed; the caller reports the share 1.
+   * The answer of a function of core.wasm, worked on in slices. Between these, what it is about may
+   * be closed. The caller reports the share 1.
    */
   async #answer<Result>(
     name: string,

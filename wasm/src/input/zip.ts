@@ -61,7 +61,7 @@ function entriesOf(archive: Uint8Array): Entry[] {
     }
     const flags = view.getUint16(at + 8, true);
     const nameLength = view.getUint16(at + 28, true);
-    // Names are UTF-8 if flag 11 says so; else in an old code page, which has ASCII in common.
+    // Names are UTF-8 if bit 11 of the flags is set, else in an old code page: ASCII is in both.
     const name = new TextDecoder().decode(archive.subarray(at + 46, at + 46 + nameLength));
     const entry: Entry = {
       name: name.replaceAll('\\', '/'),

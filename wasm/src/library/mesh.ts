@@ -282,7 +282,8 @@ export class EngineMesh implements Mesh {
       for (;;) {
         const advanced = await cvt.ask((object) => engine.advanceCvt(object, form, { signal }));
         if (!advanced) break;
-        const state = stateOf(engine, advanced, tessellation.metric); // now the diagram has an owner
+        // Now the diagram has an owner.
+        const state = stateOf(engine, advanced, tessellation.metric);
         onProgress?.(Math.min(1, (advanced.iteration + 1) / (tessellation.iterations + 1)));
         yield state;
       }

@@ -49,8 +49,8 @@ function noteOn({ faces, repairs, hasOpenSeams }: MeshInfo, weld: () => void): v
     );
   } else if (cuts > 0) {
     showNote(
-      `This model is cut apart at ${counted(cuts, 'edge')} where its triangles do not fit together: ` +
-        'no path leads across. “Model”, in the controls, tells more.',
+      `This model is cut apart at ${counted(cuts, 'edge')} where its triangles do not fit ` +
+        'together: no path leads across. “Model”, in the controls, tells more.',
     );
   }
 }

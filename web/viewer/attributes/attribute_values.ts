@@ -148,7 +148,7 @@ export class Attributes {
     return Number.isFinite(number) ? number : Number(attributeDefaults[name]);
   }
 
-  /** A number for the library. A text that is none goes there, too, to be refused as it is. */
+  /** A number for the library; a text that is no number as it is, for the library to refuse it. */
   #argument(name: string): number {
     const text = this.#text(name).trim() || attributeDefaults[name];
     const number = Number(text);

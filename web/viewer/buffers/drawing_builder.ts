@@ -40,8 +40,8 @@ export class DrawingBuilder {
 
   /**
    * Asks for a task by its name in `drawing_worker.ts`: 'scene' before others about the mesh. The
-   * result is undefined if the worker has stopped, or cannot load the task's code: the caller has to
-   * make it then, or to say so.
+   * result is undefined if the worker has stopped, or cannot load the task's code: the caller has
+   * to make it then, or to say so.
    */
   ask<Name extends keyof DrawingTasks>(
     name: Name,

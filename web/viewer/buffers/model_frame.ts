@@ -45,8 +45,8 @@ export class ModelFrame {
   }
 
   /**
-   * Converts x, y, z triples to the scene: all of them, or those with these numbers. Subtracts before
-   * rounding: far origins do no harm. The result may have room for more.
+   * Converts x, y, z triples to the scene: all of them, or those with these numbers. Subtracts
+   * before rounding: far origins do no harm. The result may have room for more.
    */
   toScene(
     positions: ArrayLike<number>,

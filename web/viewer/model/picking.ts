@@ -36,7 +36,7 @@ const hidingDistance = 0.01;
  * picture does not need, it tests every triangle.
  */
 export class Picker {
-  /** Resolves when there is a tree, or can be one, or there cannot be one. */
+  /** Resolves when the tree is there, or the code to build it when needed, or neither can be. */
   readonly prepared: Promise<void>;
   readonly #mesh: SceneMesh;
   readonly #raycaster = new Raycaster();

@@ -96,7 +96,7 @@ export async function openMesh(
     const name = lastSegment(mesh.info.origin.file);
     return { mesh, name, files, ...edited, scene, builder };
   } catch (error) {
-    failing.abort(); // before the builder gives up the scene, which would then be made here
+    failing.abort(); // first: a scene that the builder does not make any more would be made here
     mesh?.dispose();
     builder.dispose();
     throw error;

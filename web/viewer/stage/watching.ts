@@ -21,7 +21,7 @@ export function watchNearness(
   signal.addEventListener('abort', () => observer.disconnect());
 }
 
-/** Calls back when a CSS pixel is another number of device pixels: by zooming, on another screen. */
+/** Calls back when a CSS pixel is another number of device pixels: by zoom, on another screen. */
 export function watchPixelRatio(changed: () => void, signal: AbortSignal): void {
   const follow = () => {
     changed();
