@@ -6,6 +6,7 @@ import type { Mesh, Metric } from 'geodesic-voronoi';
 import { CvtRun, type CvtSettings, type PreparedIteration } from './cvt_run.js';
 import type { LiveDiagram } from './live_diagram.js';
 import type { CvtStatus, SessionListener } from './session_listener.js';
+import { shallowEqual } from './shallow_equal.js';
 import type { PrepareDiagram, ShownDiagram } from './shown_diagram.js';
 import { placeOf, type SiteHistory, type Sites } from './site_history.js';
 
@@ -28,6 +29,8 @@ export class CvtPlayer {
   readonly #listener: SessionListener;
   readonly #use: CvtUse;
   #run: CvtRun | undefined;
+  /** What the run was begun with. */
+  #settings: CvtSettings = {};
   /** The sites from before the tessellation. */
   #before: Sites = [];
   /** Whether the next iteration begins a step to undo. */
@@ -61,10 +64,11 @@ export class CvtPlayer {
     if (!mesh || this.#history.present.length === 0) return;
     this.#history.endMove();
     const wanted = { ...settings, metric: this.#diagram.settings.metric };
-    if (this.#run && (this.#run.status === 'done' || !this.#run.hasSettings(wanted))) this.stop();
+    const goesOn = this.status !== 'done' && shallowEqual(wanted, this.#settings);
+    if (this.#run && !goesOn) this.stop();
     this.#run ??= this.#newRun(mesh, wanted);
     this.#beginsStep ||= !this.isPlaying;
-    this.#run.play(until(this.#run.iteration));
+    this.#run.play(until(this.#run.latest.iteration));
     this.#diagram.cancel();
     this.#use.statusChanged();
   }
@@ -89,6 +93,7 @@ export class CvtPlayer {
   }
 
   #newRun(mesh: Mesh, settings: CvtSettings & { metric: Metric }): CvtRun {
+    this.#settings = settings;
     this.#before = this.#history.present;
     return new CvtRun(mesh, this.#before, settings, this.#prepare, {
       iterated: (iteration) => this.#showIteration(iteration, settings.metric),
@@ -134,7 +139,7 @@ export class CvtPlayer {
       return;
     }
     this.#use.statusChanged();
-    const { milliseconds } = this.#run ?? {};
+    const { milliseconds } = this.#run?.latest ?? {};
     queueMicrotask(() => {
       if (milliseconds !== undefined && shown === this.#diagram.shown && !this.isPlaying)
         this.#listener.cvtRested(shown, milliseconds);

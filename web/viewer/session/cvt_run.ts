@@ -6,7 +6,6 @@ import type { CvtOptions, CvtState, Mesh } from 'geodesic-voronoi';
 import type { PreparedDiagram } from '../buffers/diagram_geometry.js';
 import type { PrepareDiagram } from './shown_diagram.js';
 import { nextFrame } from '../stage/next_frame.js';
-import { shallowEqual } from './shallow_equal.js';
 import { type Sites, surfacePointsOf } from './site_history.js';
 
 /** How sites move to the centroids of their regions. */
@@ -40,7 +39,6 @@ interface CvtRunListener {
  * reported, and one that was under way is kept, and reported first when it plays again.
  */
 export class CvtRun {
-  readonly #settings: CvtSettings;
   readonly #listener: CvtRunListener;
   readonly #stopping = new AbortController();
   readonly #sites: Sites;
@@ -51,7 +49,7 @@ export class CvtRun {
   /** The state after that one. */
   #coming: Promise<TimedState> | undefined;
   #playing: { until: number } | undefined;
-  #latest: { iteration: number; milliseconds: number } | undefined;
+  #latest: { iteration: number; milliseconds?: number } = { iteration: 0 };
   #done = false;
 
   constructor(
@@ -61,7 +59,6 @@ export class CvtRun {
     prepare: PrepareDiagram,
     listener: CvtRunListener,
   ) {
-    this.#settings = settings;
     this.#sites = sites;
     this.#prepare = prepare;
     this.#listener = listener;
@@ -74,24 +71,15 @@ export class CvtRun {
     });
   }
 
-  hasSettings(settings: CvtSettings): boolean {
-    return shallowEqual(settings, this.#settings);
-  }
-
   /** 'done': no iteration lowers the energy any more. */
   get status(): 'running' | 'paused' | 'done' {
     if (this.#playing) return 'running';
     return this.#done ? 'done' : 'paused';
   }
 
-  /** From asking for the last iteration to having it; undefined before the first one. */
-  get milliseconds(): number | undefined {
-    return this.#latest?.milliseconds;
-  }
-
-  /** The number of the last iteration; 0 also before it. */
-  get iteration(): number {
-    return this.#latest?.iteration ?? 0;
+  /** The number of the last iteration, and from asking for it to having it; 0 also before the first. */
+  get latest(): { iteration: number; milliseconds?: number } {
+    return this.#latest;
   }
 
   play(until: number): void {
