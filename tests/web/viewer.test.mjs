@@ -20,6 +20,7 @@ import { changeDiagram } from '../../dist/viewer/session/shown_diagram.js';
 import { SiteHistory } from '../../dist/viewer/session/site_history.js';
 import { stepsBetween, without } from '../../dist/viewer/session/site_step.js';
 import { framingOf } from '../../dist/viewer/stage/framing.js';
+import { commandOf } from '../../dist/viewer/tools/commands.js';
 import { apart, bumpySphere, grid, octahedron, pointAt, torn } from '../wasm/meshes.mjs';
 
 /** As much of a diagram as colouring looks at. */
@@ -703,6 +704,12 @@ suite('latest task', () => {
     await turn();
     assert.equal(log.at(-1), 'abort c', 'what waits is dropped, too');
   });
+});
+
+test('a key gives a command of its own, or none', () => {
+  assert.equal(commandOf({ key: 'F' }), 'refit');
+  assert.equal(commandOf({ key: 'ArrowUp', shiftKey: true }), 'move-up');
+  for (const key of ['x', 'constructor', 'Shift']) assert.equal(commandOf({ key }), undefined);
 });
 
 test('the element can be imported where there is no DOM', async () => {

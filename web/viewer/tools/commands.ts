@@ -129,8 +129,8 @@ export function commandOf(event: KeyboardEvent): Command | undefined {
     if (key === 'z') return event.shiftKey ? 'redo' : 'undo';
     return key === 'y' ? 'redo' : undefined;
   }
-  if (event.shiftKey && key.startsWith('Arrow')) return ofShiftedKey[key];
-  return ofKey[key];
+  const known = event.shiftKey && key.startsWith('Arrow') ? ofShiftedKey : ofKey;
+  return Object.hasOwn(known, key) ? known[key] : undefined;
 }
 
 export function isOfView(command: Command): boolean {
