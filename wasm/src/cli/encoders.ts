@@ -26,7 +26,7 @@ import {
   polygonPly,
   polygonStl,
 } from '../output/polygon_formats.js';
-import { ply, type PlyColumns } from '../output/ply.js';
+import { ply } from '../output/ply.js';
 import { textOf } from '../output/text.js';
 import type {
   Distances,
@@ -103,9 +103,7 @@ function column(values: Float64Array, size: number, at: number): Float64Array {
 /** What tells later that sites or points of a file are not those of another mesh. */
 const ofMesh = ({ info }: Mesh) => ({ mesh: { faces: info.inputFaces } });
 
-type LocatedResult = Located & { mesh: Mesh };
-
-export const locatedEncoders: Encoders<LocatedResult> = {
+export const locatedEncoders: Encoders<Located & { mesh: Mesh }> = {
   '.json': ({ mesh, label, distance }, lengths) =>
     text({
       ...ofMesh(mesh),
@@ -117,11 +115,6 @@ export const locatedEncoders: Encoders<LocatedResult> = {
   '.csv': ({ label, distance }, { scale }) =>
     csv({ label, distance: distance.map((d) => scale * d) }),
 };
-
-function sitesPly(position: Float64Array): Uint8Array {
-  const columns: PlyColumns = { names: ['x', 'y', 'z'], type: 'double', values: position };
-  return ply('Sites', [columns], { offset: [0], points: [] }, []);
-}
 
 interface SitesResult {
   mesh: Mesh;
@@ -141,7 +134,11 @@ export const sitesEncoders: Encoders<SitesResult> = {
       energy: energy.map((e) => lengths.scale ** 4 * e), // area times squared length
     }),
   // In the model's own unit, as `--sites` reads them; removed sites are nowhere.
-  '.ply': ({ position }) => sitesPly(position.filter(Number.isFinite)),
+  '.ply': ({ position }) => {
+    const values = position.filter(Number.isFinite);
+    const columns = [{ names: ['x', 'y', 'z'], type: 'double' as const, values }];
+    return ply('Sites', columns, { offset: [0], points: [] }, []);
+  },
   '.csv': ({ position }) => {
     const places = position.filter(Number.isFinite);
     const [x, y, z] = [0, 1, 2].map((k) => column(places, 3, k));

@@ -37,7 +37,8 @@ function setUpLayers(viewer: GeodesicVoronoiElement): void {
     const box = make('input', { type: 'checkbox', value: layer });
     const { title, hint } = layerTexts[layer];
     group.append(make('label', { title: hint }, box, make('span', {}, title)));
-    if (isLate(layer)) markUntilDrawn(viewer, box, layer);
+    const late = lateLayers.find((each) => each === layer);
+    if (late) markUntilDrawn(viewer, box, late);
     return box;
   });
   group.addEventListener('change', () => {
@@ -50,17 +51,13 @@ function setUpLayers(viewer: GeodesicVoronoiElement): void {
 }
 
 /** Layers that take long to be drawn; an event of the same name tells of it. */
-type LateLayer = 'dual' | 'distances' | 'original';
-
-function isLate(layer: Layer): layer is LateLayer {
-  return layer === 'dual' || layer === 'distances' || layer === 'original';
-}
+const lateLayers = ['dual', 'distances', 'original'] as const;
 
 /** Marks the box of a layer that is asked for, until it is drawn. */
 function markUntilDrawn(
   viewer: GeodesicVoronoiElement,
   box: HTMLInputElement,
-  layer: LateLayer,
+  layer: (typeof lateLayers)[number],
 ): void {
   box.addEventListener('change', () => {
     box.ariaBusy = String(box.checked && (layer === 'original' || viewer.diagram !== undefined));
