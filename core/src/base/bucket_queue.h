@@ -7,8 +7,11 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
+
+#include "base/prefetch.h"
 
 namespace gvd {
 
@@ -61,6 +64,14 @@ class BucketQueue {
   std::optional<int> ahead(std::size_t others) const {
     const std::size_t i = current_->next + others;
     return i < current_->items.size() ? std::optional(current_->items[i]) : std::nullopt;
+  }
+
+  /// The items of the bucket whose memory is to be fetched before the next one is taken: a batch,
+  /// or none; after `advance`.
+  std::span<const int> toPrefetch() const {
+    const std::size_t begin = current_->next + kPrefetchAhead, size = current_->items.size();
+    if (current_->next % kPrefetchBatch != 0 || begin >= size) return {};
+    return std::span(current_->items).subspan(begin, std::min(kPrefetchBatch, size - begin));
   }
 
   /// The current bucket, and the distance at which it begins.

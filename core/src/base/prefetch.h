@@ -7,21 +7,49 @@
 
 namespace gvd {
 
+/// Calls `visit` with an address in each cache line of an object.
+template <class Object, class Visit>
+void visitCacheLines(const Object& object, Visit visit) {
+  constexpr std::size_t kCacheLine = 64;
+  const char* const bytes = reinterpret_cast<const char*>(&object);
+  // For a pointer, the pointer's own memory. NOLINTNEXTLINE(bugprone-sizeof-expression)
+  for (std::size_t i = 0; i < sizeof(Object); i += kCacheLine) visit(bytes + i);
+}
+
 /// Asks for an object's memory without waiting for it. Does nothing where there is no such
-/// instruction, as in WebAssembly: a load in its place would be waited for in the end.
+/// instruction, as in WebAssembly.
 template <class Object>
 void prefetch([[maybe_unused]] const Object& object) {
-  constexpr std::size_t kCacheLine = 64;
-  [[maybe_unused]] const char* const bytes = reinterpret_cast<const char*>(&object);
-  // For a pointer, the pointer's own memory. NOLINTNEXTLINE(bugprone-sizeof-expression)
-  for (std::size_t i = 0; i < sizeof(Object); i += kCacheLine) {
 #if defined(__GNUC__) && !defined(__wasm__)
-    __builtin_prefetch(bytes + i);
+  visitCacheLines(object, [](const char* line) {
+    __builtin_prefetch(line);
     // Without this, GCC treats a function that only prefetches as free of effects and drops its
     // calls.
     asm volatile("");
+  });
 #endif
-  }
+}
+
+// The memory that an item needs in its turn is prefetched some turns before. Without such an
+// instruction, that of several items is loaded before the first of them has its turn: a processor
+// waits for a load in the end, but for several loads at the same time.
+#if defined(__wasm__)
+inline constexpr std::size_t kPrefetchBatch = 16;  ///< items whose memory is fetched at once
+inline constexpr std::size_t kPrefetchAhead = 0;   ///< turns before that of the first of them
+#else
+inline constexpr std::size_t kPrefetchBatch = 1, kPrefetchAhead = 2;
+#endif
+
+/// Prefetches an object that an item of a batch needs, or loads it.
+template <class Object>
+void prefetchInBatch(const Object& object) {
+#if defined(__wasm__)
+  visitCacheLines(object, [](const char* line) {
+    static_cast<void>(*static_cast<const volatile char*>(line));
+  });
+#else
+  prefetch(object);
+#endif
 }
 
 }  // namespace gvd

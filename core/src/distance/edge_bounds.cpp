@@ -82,14 +82,11 @@ void EdgeBounds::offerAround(int vertex) {
 /// shorter than the bucket is wide, the latest first would make paths longer and longer, and lower
 /// each bound again and again.
 bool EdgeBounds::step(long& budget) {
-  // The lengths around a vertex are fetched into the cache this many turns before its own, and the
-  // fan that lists the faces as many turns earlier.
-  constexpr size_t kAhead = 2;
   while (queue_.advance()) {
     if (budget-- <= 0) return false;
-    if (const auto later = queue_.ahead(2 * kAhead)) prefetchFan(mesh_, *later);
-    if (const auto next = queue_.ahead(kAhead))
-      mesh_.visitFaces(*next, [&](int f) { prefetch(mesh_.face(f).lengths); });
+    if (const auto later = queue_.ahead(2 * kPrefetchAhead)) prefetchFan(mesh_, *later);
+    for (const int next : queue_.toPrefetch())
+      mesh_.visitFaces(next, [&](int f) { prefetchInBatch(mesh_.face(f).lengths); });
     const int v = queue_.take();
     Vertex& own = vertices_[v];
     if (own.bucket != static_cast<int>(queue_.frontBucket())) continue;  // a stale entry

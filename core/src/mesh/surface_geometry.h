@@ -20,9 +20,9 @@ inline void prefetchFan(const TriangleMesh& mesh, int vertex) {
   prefetch(mesh.fan(vertex).front());
 }
 
-/// Prefetches the faces around a vertex.
+/// Prefetches the faces around a vertex, one of several vertices (`prefetchInBatch`).
 inline void prefetchFacesAround(const TriangleMesh& mesh, int vertex) {
-  for (const int h : mesh.fan(vertex)) prefetch(mesh.face(TriangleMesh::faceOf(h)));
+  mesh.visitFaces(vertex, [&](int f) { prefetchInBatch(mesh.face(f)); });
 }
 
 /// Whether a halfedge is one side of a slit: a single edge that is cut, around both ends of which

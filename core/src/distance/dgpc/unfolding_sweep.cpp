@@ -16,9 +16,6 @@ using Eigen::Vector2d;
 namespace {
 
 constexpr std::array<int, 2> kFromSite = {-1, -1};
-/// The faces around a vertex are fetched into the cache this many turns before its own, and the
-/// fan that lists them as many turns earlier.
-constexpr size_t kAhead = 2;
 
 }  // namespace
 
@@ -77,9 +74,9 @@ void UnfoldingSweep::startInFace(const SurfacePoint& site, const Vector2d& first
 bool UnfoldingSweep::step(long& budget) {
   while (queue_.advance()) {
     if (budget <= 0) return false;
-    if (const auto later = queue_.ahead(2 * kAhead)) prefetchFan(mesh_, *later);
-    if (const auto next = queue_.ahead(kAhead); next && vertices_[*next].isQueued)
-      prefetchFacesAround(mesh_, *next);
+    if (const auto later = queue_.ahead(2 * kPrefetchAhead)) prefetchFan(mesh_, *later);
+    for (const int next : queue_.toPrefetch())
+      if (vertices_[next].isQueued) prefetchFacesAround(mesh_, next);
     const int v = queue_.take();
     if (!std::exchange(vertices_[v].isQueued, false)) continue;
     --budget;

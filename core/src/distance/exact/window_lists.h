@@ -36,7 +36,7 @@ class WindowLists {
 
   bool isEmpty(int halfedge) const { return lists_[halfedge].count == 0; }
   std::span<const Window> operator[](int halfedge) const { return lists_[halfedge].windows(); }
-  void prefetch(int halfedge) const { gvd::prefetch(lists_[halfedge]); }
+  void prefetch(int halfedge) const { prefetchInBatch(lists_[halfedge]); }
 
   /// Adds windows to those of a halfedge, behind them.
   void add(int halfedge, std::span<const Window> windows) {

@@ -95,7 +95,7 @@ void WindowSweep::resume(int label, LabelState& state) {
 bool WindowSweep::step(long& budget) {
   while (queue_.advance()) {
     if (budget <= 0) return false;
-    if (const auto next = queue_.ahead(1)) prefetchTurn(*next);
+    for (const int next : queue_.toPrefetch()) prefetchTurn(next);
     const int item = queue_.take();
     long crossed = 0;
     if (item >= 0)
@@ -221,13 +221,13 @@ void WindowSweep::queueBatch(int halfedge, double key) {
   prefetch(mesh_.face(halfedge / 3));
 }
 
-/// Fetches into the cache what the next turn begins with. Its face or fan was fetched when it was
-/// queued.
+/// Fetches into the cache what a turn begins with; its face or fan was fetched when it was queued.
 void WindowSweep::prefetchTurn(int item) const {
   if (item < 0) return prefetchFacesAround(mesh_, -1 - item);
   const TriangleMesh::Face& face = mesh_.face(item / 3);
   const int i = item % 3;
-  prefetch(vertices_[face.vertices[cornerBefore(i)]]);
+  prefetchInBatch(face);
+  prefetchInBatch(vertices_[face.vertices[cornerBefore(i)]]);
   for (const int side : {cornerBefore(i), cornerAfter(i)})
     if (face.twins[side] >= 0) windows_.prefetch(face.twins[side]);
 }
