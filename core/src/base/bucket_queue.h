@@ -66,12 +66,9 @@ class BucketQueue {
     return i < current_->items.size() ? std::optional(current_->items[i]) : std::nullopt;
   }
 
-  /// The items of the bucket whose memory is to be fetched before the next one is taken: a batch,
-  /// or none; after `advance`.
+  /// The items of the bucket to be prefetched before the next one is taken; after `advance`.
   std::span<const int> toPrefetch() const {
-    const std::size_t begin = current_->next + kPrefetchAhead, size = current_->items.size();
-    if (current_->next % kPrefetchBatch != 0 || begin >= size) return {};
-    return std::span(current_->items).subspan(begin, std::min(kPrefetchBatch, size - begin));
+    return itemsToPrefetch<int>(current_->items, current_->next);
   }
 
   /// The current bucket, and the distance at which it begins.

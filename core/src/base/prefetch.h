@@ -3,7 +3,9 @@
 // Fetches memory before it is needed.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <span>
 
 namespace gvd {
 
@@ -39,6 +41,15 @@ inline constexpr std::size_t kPrefetchAhead = 0;   ///< turns before that of the
 #else
 inline constexpr std::size_t kPrefetchBatch = 1, kPrefetchAhead = 2;
 #endif
+
+/// The items of a list whose memory is to be fetched before item `i` has its turn: a batch, or
+/// none.
+template <class Item>
+std::span<const Item> itemsToPrefetch(std::span<const Item> items, std::size_t i) {
+  const std::size_t begin = i + kPrefetchAhead;
+  if (i % kPrefetchBatch != 0 || begin >= items.size()) return {};
+  return items.subspan(begin, std::min(kPrefetchBatch, items.size() - begin));
+}
 
 /// Prefetches an object that an item of a batch needs, or loads it.
 template <class Object>

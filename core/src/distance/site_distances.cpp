@@ -125,8 +125,9 @@ void SiteDistances::takeGiven(const SiteChange& given) {
   given_.insert(given.label, site);
 }
 
-/// The lowest label of the given sites at a place, -1 if there is none.
-int SiteDistances::lowestAt(const SurfacePoint& place) const {
+/// The lowest label of the given sites at a place, -1 if there is none. Not inlined, as the
+/// WebAssembly module would be larger.
+[[gnu::noinline]] int SiteDistances::lowestAt(const SurfacePoint& place) const {
   const int corner = incidenceOf(place.bary).corner;
   int lowest = -1;
   visitRepresentations(mesh_, place, [&](const SurfacePoint& p) {

@@ -17,15 +17,12 @@ namespace {
 /// takes less than to sort them in and out.
 constexpr double kLeastApproachesAsleep = 4;
 
-/// How many faces or vertices before its turn one is fetched into the cache.
-constexpr size_t kAhead = 4;
-
 }  // namespace
 
 long WindowSweep::require(int label, LabelState& state, std::span<const int> faces, double atMost) {
   const size_t loaded = beginToRequire(label, state);
   for (size_t i = 0; i < faces.size(); ++i) {
-    if (i + kAhead < faces.size()) prefetch(mesh_.face(faces[i + kAhead]));
+    for (const int next : itemsToPrefetch(faces, i)) prefetchInBatch(mesh_.face(next));
     requireCorners(faces[i], atMost);
   }
 
@@ -56,7 +53,8 @@ void WindowSweep::visitAwake(Visit visit) const {
   const std::span<const WaitingWindow> awake = state_->waiting.awake();
   for (size_t begin = 0, end; begin < awake.size(); begin = end) {
     const int h = awake[begin].halfedge;
-    if (begin + kAhead < awake.size()) prefetch(mesh_.face(awake[begin + kAhead].halfedge / 3));
+    for (const WaitingWindow& next : itemsToPrefetch(awake, begin))
+      prefetchInBatch(mesh_.face(next.halfedge / 3));
     for (end = begin + 1; end < awake.size() && awake[end].halfedge == h;) ++end;
     visit(h, awake.subspan(begin, end - begin));
   }
