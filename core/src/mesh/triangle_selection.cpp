@@ -27,8 +27,8 @@ bool TriangleSelection::step(long& budget) {
       forEach(count, budget, kQuickRounds, [&](int t) { this->count(t); }),
       [&] { return byLowestCorner_.run(count, vertexCount_, lowestCorner, budget); },
       [&] {
-        return byLowestCorner_.visitGroups(
-            [&](std::span<const int> group) { findOriginals(group); }, budget);
+        return byLowestCorner_.visitGroups([&](std::span<int> group) { findOriginals(group); },
+                                           budget);
       },
       [&] {
         byLowestCorner_ = {};
@@ -48,17 +48,22 @@ void TriangleSelection::count(int t) {
 
 /// Notes for each triangle the first triangle with the same three corners, in any order. All given
 /// ones have the same lowest corner.
-void TriangleSelection::findOriginals(std::span<const int> triangles) {
-  byOtherCorners_.clear();
-  for (const int t : triangles) {
-    Corners corners = welded_[t];
-    std::sort(corners.begin(), corners.end());
-    byOtherCorners_.push_back({corners[1], corners[2], t});
-  }
-  visitSame(byOtherCorners_, [&](std::span<const KeyedItem> run) {
-    for (const KeyedItem& item : run) out_.kept[item[2]] = run.front()[2];
-    ++originals_;
+void TriangleSelection::findOriginals(std::span<int> triangles) {
+  const auto otherCorners = [&](int t) {
+    const auto [a, b, c] = welded_[t];
+    const int lowest = std::min({a, b, c}), highest = std::max({a, b, c});
+    const int middle = a ^ b ^ c ^ lowest ^ highest;  // what is left of the three
+    return std::pair(middle, highest);
+  };
+  std::sort(triangles.begin(), triangles.end(), [&](int a, int b) {
+    return std::pair(otherCorners(a), a) < std::pair(otherCorners(b), b);
   });
+  forEachRun(
+      triangles, [&](int a, int b) { return otherCorners(a) == otherCorners(b); },
+      [&](std::span<const int> run) {
+        for (const int t : run) out_.kept[t] = run.front();
+        ++originals_;
+      });
 }
 
 void TriangleSelection::keep(int t) {

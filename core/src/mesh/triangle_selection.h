@@ -38,7 +38,7 @@ class TriangleSelection {
 
  private:
   void count(int t);
-  void findOriginals(std::span<const int> triangles);
+  void findOriginals(std::span<int> triangles);
   void keep(int t);
   void requireAny() const;
 
@@ -48,7 +48,6 @@ class TriangleSelection {
 
   SlicedSequence sequence_;
   Grouping byLowestCorner_;
-  std::vector<KeyedItem> byOtherCorners_;  ///< the triangles of one lowest corner
   std::size_t originals_ = 0;
   Selection out_;
 };
