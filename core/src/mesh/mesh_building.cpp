@@ -328,9 +328,10 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   void lookForSeam(int v) {
     if (mesh_.topology_.hasOpenSeams) return;
     for (const int near : boundarySamples_->near(mesh_.position(v))) {
-      bool isSeparate = mesh_.position(near) != mesh_.position(v);
-      mesh_.visitNeighbours(v, [&](int neighbour) { isSeparate &= neighbour != near; });
-      mesh_.topology_.hasOpenSeams |= isSeparate;
+      if (mesh_.position(near) == mesh_.position(v)) continue;
+      bool isJoined = false;
+      mesh_.visitNeighbours(v, [&](int neighbour) { isJoined |= neighbour == near; });
+      mesh_.topology_.hasOpenSeams |= !isJoined;
     }
   }
 
