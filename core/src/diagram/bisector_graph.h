@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "base/disjoint_sets.h"
-#include "base/sliced_loop.h"
 #include "gvd/diagram.h"
 
 namespace gvd {
@@ -99,32 +98,6 @@ struct BisectorGraph {
   /// place; otherwise the lower number does, with a place on a side if either has one. Two nodes
   /// are never merged, however near, because region triangles have them as corners.
   void unite(int a, int b);
-};
-
-/// The points of the graph at nodes, -1 for none. Owned by the caller, so that repeated traces of
-/// parts do not have to allocate the list anew.
-class NodePoints {
- public:
-  /// Makes room for `count` nodes; true when done.
-  bool resize(size_t count, long& budget) { return fillInSlices(point_, count, -1, budget); }
-  /// The point at a node, which `make` adds where there is none.
-  template <class Make>
-  int at(int node, Make make) {
-    if (point_[node] < 0) {
-      point_[node] = make();
-      nodes_.push_back(node);
-    }
-    return point_[node];
-  }
-  /// Forgets all points, in time proportional to their number.
-  void clear() {
-    for (const int node : nodes_) point_[node] = -1;
-    nodes_.clear();
-  }
-
- private:
-  std::vector<int> point_;
-  std::vector<int> nodes_;  ///< with a point
 };
 
 // The functions below write number by number. The numbers are still in registers; assembling a

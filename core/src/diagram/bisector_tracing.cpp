@@ -13,14 +13,14 @@
 
 namespace gvd {
 
-BisectorTracing::BisectorTracing(FaceComplex& complex, NodePoints& nodePoints, BisectorGraph& graph,
+BisectorTracing::BisectorTracing(FaceComplex& complex, IndexMap& pointOfNode, BisectorGraph& graph,
                                  Diagram& diagram)
     : mesh_(complex.mesh()),
       complex_(complex),
       graph_(graph),
       out_(diagram),
       functions_(complex),
-      points_(complex, nodePoints, graph) {}
+      points_(complex, pointOfNode, graph) {}
 
 bool BisectorTracing::step(long& budget) {
   return sequence_.run(

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/index_map.h"
 #include "base/sliced_loop.h"
 #include "diagram/bisector_graph.h"
 #include "diagram/element_functions.h"
@@ -21,7 +22,7 @@ class BisectorTracing {
  public:
   /// Sets the areas of regions, the labels of faces and the indifferent faces of `diagram`, whose
   /// number of sites is set. Takes the sole owners out of a complex of faces: they are the labels.
-  BisectorTracing(FaceComplex& complex, NodePoints& nodePoints, BisectorGraph& graph,
+  BisectorTracing(FaceComplex& complex, IndexMap& pointOfNode, BisectorGraph& graph,
                   Diagram& diagram);
   /// True when the graph is complete.
   bool step(long& budget);

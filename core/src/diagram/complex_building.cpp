@@ -29,7 +29,7 @@ ComplexBuilding::ComplexBuilding(const TriangleMesh& mesh, const DistanceField& 
       longestSide_(longestSideOf(mesh, detail)),
       ties_(mesh),
       complex_(mesh, distances, extent == Extent::kPart || detail > 0) {
-  if (extent == Extent::kPart) complex_.indexInPart_.assign(mesh.faceCount(), -1);
+  if (extent == Extent::kPart) complex_.indexInPart_.emplace(mesh.faceCount());
 }
 
 bool ComplexBuilding::step(long& budget) {
@@ -107,9 +107,8 @@ void ComplexBuilding::matchTwin(int h) {
 
 void ComplexBuilding::startPart(std::span<const int> faces) {
   clear();
-  complex_.partSize_ = static_cast<int>(faces.size());
   for (const int f : faces) {
-    complex_.indexInPart_[f] = complex_.elements_.count();
+    complex_.indexInPart_->add(f, complex_.elements_.count());
     addFace(f);
   }
   for (const int v : complex_.elements_.tail) complex_.nodes_.findOwner(v);
@@ -117,7 +116,7 @@ void ComplexBuilding::startPart(std::span<const int> faces) {
 
 void ComplexBuilding::clear() {
   complex_.nodes_.clear(complex_.elements_.tail);
-  for (const int f : complex_.elements_.face) complex_.indexInPart_[f] = -1;
+  complex_.indexInPart_->clear();
   complex_.twins_.clear();
   complex_.elements_.clear();
   complex_.soleOwner_.clear();

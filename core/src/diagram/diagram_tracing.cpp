@@ -28,15 +28,16 @@ namespace {
 /// regions, and from these the diagram with points merged.
 class Tracing final : public SlicedWork<TracedDiagram> {
  public:
-  /// Traces outlines of some labels, of all if `labels` is null.
+  /// Traces outlines of some labels, of all if `labels` is null. `pointOfNode` is working memory,
+  /// empty before and after: parts that are traced one after the other allocate it once.
   Tracing(const DistanceField& distances, ComplexBuilding& building, int siteCount,
-          const IndexSet* labels, NodePoints& nodePoints)
+          const IndexSet* labels, IndexMap& pointOfNode)
       : distances_(distances),
         building_(building),
         complex_(building.complex()),
         mesh_(complex_.mesh()),
         labels_(labels),
-        nodePoints_(nodePoints) {
+        pointOfNode_(pointOfNode) {
     out_.siteCount = siteCount;
   }
 
@@ -53,7 +54,7 @@ class Tracing final : public SlicedWork<TracedDiagram> {
   }
 
   TracedDiagram result() override {
-    nodePoints_.clear();
+    pointOfNode_.clear();
     return {std::move(out_), std::move(graph_.mergedFaces),
             completion_ ? completion_->takeFaces() : std::vector<int>()};
   }
@@ -71,9 +72,11 @@ class Tracing final : public SlicedWork<TracedDiagram> {
 
   bool trace(long& budget) {
     return tracing_.run(
-        [&] { return runPart(bisectors_, budget, complex_, nodePoints_, graph_, out_); },
+        [&] { return runPart(bisectors_, budget, complex_, pointOfNode_, graph_, out_); },
         [&] { bisectors_.reset(); },
-        [&] { return runPart(outlines_, budget, mesh_, distances_, nodePoints_, labels_, graph_); },
+        [&] {
+          return runPart(outlines_, budget, mesh_, distances_, pointOfNode_, labels_, graph_);
+        },
         [&] { release(graph_.nextDart); }, [&] { return points_.prepare(budget); },
         [&] {
           return runPart(segments_, budget, mesh_, graph_, outlines_->boundarySteps(), points_,
@@ -103,7 +106,7 @@ class Tracing final : public SlicedWork<TracedDiagram> {
   FaceComplex& complex_;
   const TriangleMesh& mesh_;
   const IndexSet* const labels_;
-  NodePoints& nodePoints_;
+  IndexMap& pointOfNode_;
 
   SlicedSequence sequence_, tracing_;
   BisectorGraph graph_;
@@ -134,12 +137,11 @@ std::unique_ptr<SlicedWork<TracedDiagram>> startTracing(const TriangleMesh& mesh
   requireMesh(mesh, distances);
   auto building = std::make_unique<ComplexBuilding>(mesh, distances, validDetail(options),
                                                     ComplexBuilding::Extent::kMesh);
-  auto nodePoints = std::make_unique<NodePoints>();
-  auto tracing = std::make_unique<Tracing>(distances, *building, siteCount, nullptr, *nodePoints);
+  auto pointOfNode = std::make_unique<IndexMap>();
+  auto tracing = std::make_unique<Tracing>(distances, *building, siteCount, nullptr, *pointOfNode);
   return workOn(std::move(tracing),
-                [building = std::move(building), nodePoints = std::move(nodePoints)](auto traced) {
-                  return traced->take();
-                });
+                [building = std::move(building),
+                 pointOfNode = std::move(pointOfNode)](auto traced) { return traced->take(); });
 }
 
 std::unique_ptr<SlicedWork<Diagram>> startDiagram(const TriangleMesh& mesh,
@@ -168,7 +170,7 @@ std::unique_ptr<SlicedWork<TracedDiagram>> PartialTracer::start(std::span<const 
                                                                 const IndexSet& labels,
                                                                 int labelCount) {
   building_.startPart(faces);
-  return std::make_unique<Tracing>(distances_, building_, labelCount, &labels, nodePoints_);
+  return std::make_unique<Tracing>(distances_, building_, labelCount, &labels, pointOfNode_);
 }
 
 }  // namespace gvd

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/index_map.h"
 #include "base/index_set.h"
 #include "diagram/bisector_graph.h"
 #include "diagram/complex_building.h"
@@ -54,7 +55,7 @@ class PartialTracer {
  private:
   const DistanceField& distances_;
   ComplexBuilding building_;
-  NodePoints nodePoints_;
+  IndexMap pointOfNode_;
 };
 
 }  // namespace gvd

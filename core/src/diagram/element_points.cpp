@@ -60,12 +60,12 @@ double largestDifference(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 
 }  // namespace
 
-ElementPoints::ElementPoints(const FaceComplex& complex, NodePoints& nodePoints,
+ElementPoints::ElementPoints(const FaceComplex& complex, IndexMap& pointOfNode,
                              BisectorGraph& graph)
-    : mesh_(complex.mesh()), complex_(complex), nodePoints_(nodePoints), graph_(graph) {}
+    : mesh_(complex.mesh()), complex_(complex), pointOfNode_(pointOfNode), graph_(graph) {}
 
 bool ElementPoints::prepare(long& budget) {
-  return nodePoints_.resize(complex_.nodes().count(), budget) &&
+  return pointOfNode_.extend(complex_.nodes().count(), budget) &&
          fillInSlices(firstPoint_, complex_.elementCount(), -1, budget);
 }
 
@@ -164,7 +164,8 @@ void ElementPoints::tellApartInnerPoints(int face, std::span<const Vertex> verti
 }
 
 int ElementPoints::atNode(int element, int node, const Eigen::Vector3d& bary) {
-  return nodePoints_.at(node, [&] { return graph_.addNode(complex_.face(element), bary); });
+  if (pointOfNode_[node] < 0) pointOfNode_.add(node, graph_.addNode(complex_.face(element), bary));
+  return pointOfNode_[node];
 }
 
 /// Returns the point of the neighbour element if that has made it already.

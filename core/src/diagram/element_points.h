@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/index_map.h"
 #include "base/sliced_loop.h"
 #include "diagram/bisector_graph.h"
 #include "diagram/face_complex.h"
@@ -25,7 +26,8 @@ class ElementPoints {
     Eigen::Vector3d bary;  ///< in the face
   };
 
-  ElementPoints(const FaceComplex& complex, NodePoints& nodePoints, BisectorGraph& graph);
+  /// Adds points to `graph`, and to `pointOfNode` those at nodes.
+  ElementPoints(const FaceComplex& complex, IndexMap& pointOfNode, BisectorGraph& graph);
   /// Allocates the lists, before any point is made; true when done.
   bool prepare(long& budget);
   /// The points of an element, per vertex of its envelope; valid until the next call.
@@ -49,7 +51,7 @@ class ElementPoints {
 
   const TriangleMesh& mesh_;
   const FaceComplex& complex_;
-  NodePoints& nodePoints_;
+  IndexMap& pointOfNode_;  ///< in the graph
   BisectorGraph& graph_;
 
   /// Per element, the first point in the list of those on its sides (`Point::side`), -1 for none.

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "base/index_map.h"
 #include "diagram/elements.h"
 #include "diagram/node_labels.h"
 #include "gvd/geodesic.h"
@@ -46,8 +48,8 @@ class FaceComplex {
     return side >= 0 && mesh_.twin(side) < 0 ? side : -1;
   }
   /// The number of faces of the complex, and the index of a face among them, -1 if it is not in.
-  int faceCount() const { return isPart() ? partSize_ : mesh_.faceCount(); }
-  int faceIndex(int face) const { return isPart() ? indexInPart_[face] : face; }
+  int faceCount() const { return isPart() ? indexInPart_->size() : mesh_.faceCount(); }
+  int faceIndex(int face) const { return isPart() ? (*indexInPart_)[face] : face; }
   int face(int element) const { return hasOwnElements_ ? elements_.face[element] : element; }
   /// The number of elements that are only part of their face.
   int partialCount() const { return static_cast<int>(elements_.corners.size()); }
@@ -89,7 +91,7 @@ class FaceComplex {
   FaceComplex(const TriangleMesh& mesh, const DistanceField& distances, bool hasOwnElements)
       : mesh_(mesh), hasOwnElements_(hasOwnElements), nodes_(distances, mesh.vertexCount()) {}
 
-  bool isPart() const { return !indexInPart_.empty(); }
+  bool isPart() const { return indexInPart_.has_value(); }
 
   const TriangleMesh& mesh_;
   const bool hasOwnElements_;  ///< false: the elements are the faces of the mesh
@@ -98,8 +100,7 @@ class FaceComplex {
   TwinMatching twins_;
   std::vector<int> soleOwner_;  ///< per element
   int mixedCount_ = 0;
-  std::vector<int> indexInPart_;  ///< per face of the mesh, -1 if it is not in; empty if all are
-  int partSize_ = 0;
+  std::optional<IndexMap> indexInPart_;  ///< of faces of the mesh; none if all of them are in
 };
 
 }  // namespace gvd

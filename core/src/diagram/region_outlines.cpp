@@ -38,10 +38,10 @@ void chain(std::span<BoundaryPoint> points) {
 }  // namespace
 
 RegionOutlines::RegionOutlines(const TriangleMesh& mesh, const DistanceField& distances,
-                               NodePoints& nodePoints, const IndexSet* labels, BisectorGraph& graph)
+                               IndexMap& pointOfNode, const IndexSet* labels, BisectorGraph& graph)
     : mesh_(mesh),
       distances_(distances),
-      nodePoints_(nodePoints),
+      pointOfNode_(pointOfNode),
       labels_(labels),
       graph_(graph),
       steps_(graph) {}
@@ -66,10 +66,11 @@ bool RegionOutlines::step(long& budget) {
 // --- The mesh boundary ---------------------------------------------------------------------------
 
 int RegionOutlines::vertexPoint(int vertex) {
-  return nodePoints_.at(vertex, [&] {
+  if (pointOfNode_[vertex] < 0) {
     const SurfacePoint place = pointAtVertex(mesh_, vertex);
-    return graph_.addNode(place.face, place.bary);
-  });
+    pointOfNode_.add(vertex, graph_.addNode(place.face, place.bary));
+  }
+  return pointOfNode_[vertex];
 }
 
 /// Puts the boundary points of the graph in order along their halfedges, and makes each the next of

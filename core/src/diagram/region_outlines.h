@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/index_map.h"
 #include "base/index_set.h"
 #include "base/sliced_loop.h"
 #include "diagram/bisector_graph.h"
@@ -20,7 +21,7 @@ class RegionOutlines {
  public:
   /// Traces some labels, or all if `labels` is null. Adds points to the graph where outlines pass
   /// vertices on the mesh boundary.
-  RegionOutlines(const TriangleMesh& mesh, const DistanceField& distances, NodePoints& nodePoints,
+  RegionOutlines(const TriangleMesh& mesh, const DistanceField& distances, IndexMap& pointOfNode,
                  const IndexSet* labels, BisectorGraph& graph);
   /// True when all outlines are traced. A step traces whole rings, whatever their length.
   bool step(long& budget);
@@ -63,7 +64,7 @@ class RegionOutlines {
 
   const TriangleMesh& mesh_;
   const DistanceField& distances_;
-  NodePoints& nodePoints_;
+  IndexMap& pointOfNode_;
   const IndexSet* const labels_;
   BisectorGraph& graph_;
 

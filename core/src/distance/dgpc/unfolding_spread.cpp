@@ -9,6 +9,7 @@
 #include "distance/dgpc/unfolding_path.h"
 #include "distance/labelled_distances.h"
 #include "distance/path_points.h"
+#include "distance/reached_index.h"
 #include "mesh/face_metric.h"
 
 namespace gvd::dgpc {
@@ -48,7 +49,7 @@ bool UnfoldingSpread::step(long& budget) {
 void UnfoldingSpread::index(int label) {
   if (indexed_ == label) return;
   indexed_ = -1;  // if memory runs out
-  index_.reset(labels_[label].vertices);
+  indexVertices(labels_[label].vertices, index_);
   indexed_ = label;
 }
 
@@ -118,7 +119,7 @@ void UnfoldingSpread::requireVertex(LabelState& state, int vertex) {
   }
   state.vertices.push_back(required);
   state.directions.push_back(direction);
-  index_.append(vertex);
+  index_.add(vertex, static_cast<int>(state.vertices.size()) - 1);
 }
 
 /// Required vertices may have no swept neighbour where edges are much longer than distances. Their
@@ -220,7 +221,7 @@ double UnfoldingSpread::distanceAt(int label, const SurfacePoint& p, AtVertex at
 std::vector<SurfacePoint> UnfoldingSpread::path(int label, const SurfacePoint& p) {
   const LabelState& state = labels_[label];
   index(label);
-  const auto atVertex = [&](int v) { return index_.distanceIn(state.vertices, v); };
+  const auto atVertex = [&](int v) { return distanceIn(state.vertices, index_, v); };
   const double most = (1 + kMostDetour) * distanceAt(label, p, atVertex);
   return pathOrShortest(mesh_, pathByUnfolding(mesh_, sites_[label], atVertex, p), most, p,
                         sites_[label]);

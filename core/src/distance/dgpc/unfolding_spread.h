@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "base/index_map.h"
 #include "distance/dgpc/unfolding_sweep.h"
 #include "distance/label_spread.h"
 #include "distance/nearest_bounds.h"
-#include "distance/reached_index.h"
 #include "distance/site_set.h"
 
 namespace gvd::dgpc {
@@ -66,9 +66,9 @@ class UnfoldingSpread final : public LabelSpread {
   NearestBounds& bounds_;
   UnfoldingSweep sweep_;
   std::vector<LabelState> labels_;
-  int running_ = -1;    ///< the label that spreads
-  int indexed_ = -1;    ///< the label that was required, or whose path was asked for, last
-  ReachedIndex index_;  ///< of its vertices
+  int running_ = -1;  ///< the label that spreads
+  int indexed_ = -1;  ///< the label that was required, or whose path was asked for, last
+  IndexMap index_;    ///< of its vertices
 };
 
 }  // namespace gvd::dgpc

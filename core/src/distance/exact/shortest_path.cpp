@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/index_map.h"
 #include "base/sliced_loop.h"
 #include "distance/edge_bounds.h"
 #include "distance/exact/label_state.h"
@@ -66,7 +67,7 @@ class PathSearch final : public SlicedWork<std::vector<SurfacePoint>> {
   }
 
   std::vector<SurfacePoint> result() override {
-    ReachedIndex index(mesh_.vertexCount());
+    IndexMap index(mesh_.vertexCount());
     return exact::pathToSite(mesh_, to_, state_, from_, index);
   }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "distance/path_points.h"
+#include "distance/reached_index.h"
 #include "distance/straight_line.h"
 #include "mesh/face_layout.h"
 #include "mesh/incidence.h"
@@ -30,7 +31,7 @@ class WindowPath {
  public:
   /// Begins the path at a point.
   WindowPath(const TriangleMesh& mesh, const SurfacePoint& site, const LabelState& state,
-             const ReachedIndex& index, const SurfacePoint& p);
+             const IndexMap& index, const SurfacePoint& p);
 
   /// Offers a window of a face that the point lies in; `place` is the point in that face.
   void offer(const Window& w, int halfedge, const SurfacePoint& place);
@@ -58,12 +59,12 @@ class WindowPath {
     return bestCorner(mesh_, points_.last(), bound_, at);
   }
 
-  double distanceAt(int vertex) const { return index_.distanceIn(state_.vertices, vertex); }
+  double distanceAt(int vertex) const { return distanceIn(state_.vertices, index_, vertex); }
 
   const TriangleMesh& mesh_;
   const LabelState& state_;
   PathPoints points_;
-  const ReachedIndex& index_;
+  const IndexMap& index_;
   /// The distance at the path's last vertex. The next vertex must be nearer to the site, so the
   /// path ends.
   double bound_ = kInfinity;
@@ -77,7 +78,7 @@ class WindowPath {
 // --- The beginning -----------------------------------------------------------------------------
 
 WindowPath::WindowPath(const TriangleMesh& mesh, const SurfacePoint& site, const LabelState& state,
-                       const ReachedIndex& index, const SurfacePoint& p)
+                       const IndexMap& index, const SurfacePoint& p)
     : mesh_(mesh), state_(state), points_(mesh, site), index_(index) {
   points_.add(p);
   least_ = nextCorner().length;
@@ -167,8 +168,8 @@ bool WindowPath::leadsOn(int vertex, double distance) const {
 
 std::vector<SurfacePoint> pathToSite(const TriangleMesh& mesh, const SurfacePoint& site,
                                      const LabelState& state, const SurfacePoint& p,
-                                     ReachedIndex& index) {
-  index.reset(state.vertices);
+                                     IndexMap& index) {
+  indexVertices(state.vertices, index);
   WindowPath path(mesh, site, state, index, p);
   if (vertexAt(mesh, p) >= 0) return path.take();
   visitRepresentations(mesh, p, [&](const SurfacePoint& place) {

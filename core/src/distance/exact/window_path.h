@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "base/index_map.h"
 #include "distance/exact/label_state.h"
-#include "distance/reached_index.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 
@@ -15,6 +15,6 @@ namespace gvd::exact {
 /// is working memory.
 std::vector<SurfacePoint> pathToSite(const TriangleMesh& mesh, const SurfacePoint& site,
                                      const LabelState& state, const SurfacePoint& p,
-                                     ReachedIndex& index);
+                                     IndexMap& index);
 
 }  // namespace gvd::exact

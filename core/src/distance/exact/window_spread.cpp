@@ -8,6 +8,7 @@
 #include "base/sliced_loop.h"
 #include "distance/exact/window_path.h"
 #include "distance/path_points.h"
+#include "distance/reached_index.h"
 #include "mesh/face_layout.h"
 #include "mesh/incidence.h"
 
@@ -81,20 +82,19 @@ class WindowSpread::NearestLabels final : public SearchBounds {
 /// Bounds for one label. Where its distance is not final, the nearest distance is the lower bound.
 class WindowSpread::OneLabel final : public SearchBounds {
  public:
-  OneLabel(int label, const LabelState& state, const ReachedIndex& index,
-           const NearestBounds& bounds)
+  OneLabel(int label, const LabelState& state, const IndexMap& index, const NearestBounds& bounds)
       : label_(label), state_(state), index_(index), bounds_(bounds) {}
   double atLeast(int v) const override {
     const int i = index_[v];
     return i >= 0 && state_.vertices[i].isFinal ? state_.vertices[i].distance : bounds_[v].distance;
   }
-  double atMost(int v) const override { return index_.distanceIn(state_.vertices, v); }
+  double atMost(int v) const override { return distanceIn(state_.vertices, index_, v); }
   bool isSought(int label) const override { return label == label_; }
 
  private:
   const int label_;
   const LabelState& state_;
-  const ReachedIndex& index_;
+  const IndexMap& index_;
   const NearestBounds& bounds_;
 };
 
@@ -132,7 +132,7 @@ WindowSpread::FoundPath WindowSpread::followedBack(int label, const SurfacePoint
   const LabelState& state = labels_[label];
   if (const int vertex = vertexAt(mesh_, p); vertex >= 0)
     return {pathToSite(mesh_, sites_[label], state, p, index_),
-            index_.distanceIn(state.vertices, vertex)};
+            distanceIn(state.vertices, index_, vertex)};
   long budget = kUnlimited;
   sweep_.search(p, NearestLabels(bounds_), budget);
   const double nearest = sweep_.searched().shortest();
@@ -153,7 +153,7 @@ WindowSpread::FoundPath WindowSpread::followedBack(int label, const SurfacePoint
 /// the site or to a vertex, found by a search that starts at the point, and on from there.
 std::vector<SurfacePoint> WindowSpread::pathBack(const SurfacePoint& p, int label,
                                                  const LabelState& state) {
-  index_.reset(state.vertices);
+  indexVertices(state.vertices, index_);
   const OneLabel ofLabel(label, state, index_, bounds_);
   long budget = kUnlimited;
   const LabelState fromPoint = sweep_.search(p, ofLabel, budget);

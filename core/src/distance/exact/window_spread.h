@@ -5,12 +5,12 @@
 #include <span>
 #include <vector>
 
+#include "base/index_map.h"
 #include "distance/exact/label_state.h"
 #include "distance/exact/point_distances.h"
 #include "distance/exact/window_sweep.h"
 #include "distance/label_spread.h"
 #include "distance/nearest_bounds.h"
-#include "distance/reached_index.h"
 #include "distance/site_set.h"
 
 namespace gvd::exact {
@@ -60,7 +60,7 @@ class WindowSpread final : public LabelSpread {
   const SiteSet& sites_;
   NearestBounds& bounds_;
   WindowSweep sweep_;
-  ReachedIndex index_;
+  IndexMap index_;
   std::vector<LabelState> labels_;
   FoundDistances found_;
   std::unique_ptr<WindowSweep> spare_;  ///< for `PointDistances`; null while one has it
