@@ -11,10 +11,13 @@
 #include <sstream>
 #include <vector>
 
+#include "base/tolerances.h"
 #include "diagram_checks.h"
+#include "equality.h"
 #include "gvd/error.h"
 #include "gvd/sampling.h"
 #include "mechanical_shapes.h"
+#include "mesh/given_points.h"
 #include "mesh/incidence.h"
 #include "shapes.h"
 
@@ -507,6 +510,14 @@ TEST(DynamicDiagram, GivesTheLowestFreeLabel) {
   EXPECT_TRUE(dynamic.hasSite(2) && dynamic.hasSite(4));
   EXPECT_EQ(dynamic.lowestFreeLabel(), 5);
   EXPECT_TRUE(isUpToDate(mesh, dynamic, Metric::kExact));
+}
+
+/// Scaled to the sum 1, a coordinate may fall below what counts as rounding in points given.
+TEST(DynamicDiagram, MeasuresDistancesFromWhereASiteIs) {
+  const TriangleMesh mesh = shapes::grid(6, 6, 0.3, 1).mesh();
+  const SurfacePoint site = {0, {kCoordinateRounding, 0.5, 0.5 + kBarycentricTolerance / 2}};
+  const DynamicDiagram dynamic(mesh, {&site, 1});
+  EXPECT_EQ(dynamic.distances().path(0, {40, {0.2, 0.3, 0.5}}).back(), dynamic.site(0));
 }
 
 /// Of sites at one place, the one with the lowest label has the region, whichever came first.

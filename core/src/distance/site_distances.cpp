@@ -196,7 +196,7 @@ void SiteDistances::removeSite(int label) {
 
 void SiteDistances::insertSite(const SiteChange& c) {
   if (!c.site) return;
-  sites_.insert(c.label, onMesh(mesh_, *c.site));
+  sites_.insert(c.label, *c.site);
   edgeBounds_.insert(c.label);
   change_.started.push_back(c.label);
 }
