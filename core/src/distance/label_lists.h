@@ -17,11 +17,6 @@
 
 namespace gvd {
 
-/// A label in the list of a vertex.
-struct LabelAtVertex {
-  int vertex, label;
-};
-
 /// The labels known at each vertex, ascending, with their distances and their indices in
 /// `LabelSpread::reached`.
 class LabelLists {

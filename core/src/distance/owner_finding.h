@@ -58,6 +58,9 @@ class OwnerFinding {
   const IndexSet& changedVertices() const { return changedVertices_; }
 
  private:
+  struct LabelAtVertex {
+    int vertex, label;
+  };
   bool markFinal(std::span<const int> labels, long& budget);
   void noteTie(int vertex, int label);
   bool affectAll(long& budget);
