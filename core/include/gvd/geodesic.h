@@ -108,7 +108,7 @@ class DistanceField {
   /// on an edge or vertex are unfolded counterclockwise, around a vertex beginning with
   /// `TriangleMesh::outgoing`. So at a site on a saddle vertex, where the angles add up to more
   /// than 2π, two paths may have one direction. (1, 0) at the site itself; not a number where it is
-  /// not known. O(1).
+  /// not known. O(log k) for k labels known at the vertex.
   virtual Eigen::Vector2d direction(int label, int vertex) const = 0;
   /// The shortest path from a point to a site: the point, every crossing of an edge, every vertex
   /// that the path turns at or passes, the site as it was given. Crossings have an exact zero,
@@ -124,13 +124,25 @@ class DistanceField {
   virtual std::vector<SurfacePoint> path(int label, const SurfacePoint& p) const = 0;
 };
 
+/// Distances of sites, computed in steps. The field refers to the mesh, which must outlive it.
+using Propagation = SlicedWork<std::unique_ptr<DistanceField>>;
+
+/// Starts to find the distances of all `sites`, given in the mesh's faces, one label each. Sites
+/// may share a face, lie on edges or vertices, and outnumber the vertices. Of sites at one place,
+/// only the one with the lowest label takes part; the others are not known anywhere. A site with
+/// face -1 is a label without a site. Throws `Error(kInvalidArgument)` if there is no site,
+/// `Error(kInvalidPoint)` if one is not on the mesh.
+///
+/// Each site spreads about as far as it is nearest. For a site that is nearest on n vertices, this
+/// takes about O(n) with DGPC; with the exact metric O(n²) at worst, about O(n^1.5) on most meshes.
+/// O(F) is added, and O(k²) for k sites in one face.
+std::unique_ptr<Propagation> propagate(const TriangleMesh& mesh,
+                                       std::span<const SurfacePoint> sites, Metric metric);
+
 /// The length of a path of straight pieces within faces, by the intrinsic lengths of edges;
 /// infinity if two points in succession have no face in common. Throws `Error(kInvalidPoint)` if a
 /// point is not on the mesh. O(points), and O(k) for each vertex with k faces around it.
 double lengthOf(const TriangleMesh& mesh, std::span<const SurfacePoint> path);
-
-/// Distances of sites, computed in steps. The field refers to the mesh, which must outlive it.
-using Propagation = SlicedWork<std::unique_ptr<DistanceField>>;
 
 /// Starts to find the shortest path between two points by the exact metric, as
 /// `DistanceField::path` gives it from `from` to a site at `to`; empty if the points are in
@@ -144,17 +156,5 @@ std::unique_ptr<SlicedWork<std::vector<SurfacePoint>>> startShortestPath(const T
 /// The same without steps.
 std::vector<SurfacePoint> shortestPath(const TriangleMesh& mesh, const SurfacePoint& from,
                                        const SurfacePoint& to);
-
-/// Starts to find the distances of all `sites`, given in the mesh's faces, one label each. Sites
-/// may share a face, lie on edges or vertices, and outnumber the vertices. Of sites at one place,
-/// only the one with the lowest label takes part; the others are not known anywhere. A site with
-/// face -1 is a label without a site. Throws `Error(kInvalidArgument)` if there is no site,
-/// `Error(kInvalidPoint)` if one is not on the mesh.
-///
-/// Each site spreads about as far as it is nearest. For a site that is nearest on n vertices, this
-/// takes about O(n) with DGPC; with the exact metric O(n²) at worst, about O(n^1.5) on most meshes.
-/// O(F) is added, and O(k²) for k sites in one face.
-std::unique_ptr<Propagation> propagate(const TriangleMesh& mesh,
-                                       std::span<const SurfacePoint> sites, Metric metric);
 
 }  // namespace gvd
