@@ -5,9 +5,10 @@
 
 #include <algorithm>
 
+#include "diagram/given_diagram.h"
 #include "gvd/partition.h"
 #include "mesh/corners.h"
-#include "partition/dual_parts.h"
+#include "partition/dual_building.h"
 
 namespace gvd {
 namespace {

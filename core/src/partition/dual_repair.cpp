@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Repair of a dual: adds sites at its violations until there are none.
+#include "partition/dual_repair.h"
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -13,6 +15,7 @@
 #include "base/plane.h"
 #include "base/rejection.h"
 #include "base/sliced_loop.h"
+#include "diagram/given_diagram.h"
 #include "distance/site_distances.h"
 #include "distance/site_frame.h"
 #include "gvd/dynamic_diagram.h"
@@ -20,7 +23,6 @@
 #include "gvd/straightest.h"
 #include "mesh/face_layout.h"
 #include "mesh/incidence.h"
-#include "partition/dual_parts.h"
 #include "partition/dual_violations.h"
 
 namespace gvd {

@@ -14,6 +14,7 @@
 #include "base/grouping.h"
 #include "base/index_set.h"
 #include "base/sorting.h"
+#include "diagram/given_diagram.h"
 
 namespace gvd {
 namespace {

@@ -14,7 +14,7 @@
 #include "base/sliced_loop.h"
 #include "gvd/dual.h"
 #include "gvd/partition.h"
-#include "partition/dual_parts.h"
+#include "partition/dual_building.h"
 #include "partition/region_complex.h"
 
 namespace gvd {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/sliced_loop.h"
@@ -77,5 +79,33 @@ class RegionComplexBuilding {
   std::vector<int> steps_;     ///< of the current loop
   RegionComplex out_;
 };
+
+/// Work on the regions of a diagram: first finds them, then steps through the part that
+/// `make(complex)` returns, whose result it takes.
+template <class Make>
+auto fromRegions(const TriangleMesh& mesh, const Diagram& diagram, Make make) {
+  using Part = decltype(make(std::declval<const RegionComplex&>()));
+  using Result = decltype(std::declval<Part>().take());
+  class FromRegions final : public SlicedWork<Result> {
+   public:
+    FromRegions(const TriangleMesh& mesh, const Diagram& diagram, Make make)
+        : regions_(mesh, diagram), make_(std::move(make)) {}
+
+    bool advance(long budget) override {
+      return sequence_.run([&] { return regions_.step(budget); },
+                           [&] { part_.emplace(make_(regions_.complex())); },
+                           [&] { return part_->step(budget); });
+    }
+    double share() const override { return regions_.progress(); }
+    Result result() override { return part_->take(); }
+
+   private:
+    SlicedSequence sequence_;
+    RegionComplexBuilding regions_;
+    Make make_;
+    std::optional<Part> part_;
+  };
+  return std::unique_ptr<SlicedWork<Result>>(new FromRegions(mesh, diagram, std::move(make)));
+}
 
 }  // namespace gvd

@@ -12,8 +12,10 @@
 
 #include "base/sliced_loop.h"
 #include "gvd/error.h"
-#include "partition/dual_parts.h"
+#include "partition/dual_building.h"
+#include "partition/dual_repair.h"
 #include "partition/dual_violations.h"
+#include "partition/remesh_quality.h"
 
 namespace gvd {
 namespace {

@@ -4,6 +4,8 @@
 // Polygonal Models. 2009
 //
 // The quality of a remesh: angles and valences of its triangles, and distance from the surface.
+#include "partition/remesh_quality.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -23,7 +25,6 @@
 #include "gvd/remesh.h"
 #include "gvd/surface_point.h"
 #include "mesh/triangle_tree.h"
-#include "partition/dual_parts.h"
 
 namespace gvd {
 namespace {
