@@ -40,9 +40,4 @@ inline int tipOf(const std::vector<Corners>& triangles, int h) {
   return triangles[h / 3][cornerAfter(h % 3)];
 }
 
-/// The sum of the genera of all components of a surface.
-inline int genusOf(int components, int boundaryLoops, int eulerCharacteristic) {
-  return (2 * components - boundaryLoops - eulerCharacteristic) / 2;
-}
-
 }  // namespace gvd

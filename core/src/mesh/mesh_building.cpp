@@ -17,6 +17,7 @@
 #include "gvd/sliced_work.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
+#include "mesh/genus.h"
 #include "mesh/given_triangles.h"
 #include "mesh/input_map.h"
 #include "mesh/manifold_building.h"

@@ -13,6 +13,7 @@
 #include "base/rejection.h"
 #include "base/sliced_loop.h"
 #include "mesh/corners.h"
+#include "mesh/genus.h"
 #include "partition/convex_triangulation.h"
 
 namespace gvd {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/sorting.h"
+#include "mesh/genus.h"
 
 namespace gvd {
 namespace {
