@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "distance/labelled_distances.h"
@@ -92,7 +93,7 @@ long BisectorTracing::divide(int element) {
   const int face = complex_.face(element);
   const auto functions = functions_.of(element);
   envelope_.compute(functions);
-  placed_ = points_.of(element, envelope_);
+  points_.make(element, envelope_);
   cellAreas_.clear();
   for (const FaceEnvelope::Cell& cell : envelope_.cells()) {
     cellAreas_.push_back(addCell(element, cell));
@@ -110,19 +111,19 @@ double BisectorTracing::addCell(int element, const FaceEnvelope::Cell& cell) {
   const std::span<const FaceEnvelope::CellSide> sides = envelope_.sides(cell);
   const bool hasAllTwins = complex_.hasAllTwins(element);
   for (const auto& [vertex, across] : sides) {
-    graph_.cells.points.push_back(placed_[vertex].point);
+    graph_.cells.points.push_back(points_[vertex].point);
     if (hasAllTwins || !FaceEnvelope::isTriangleSide(across)) continue;
     const int side = FaceEnvelope::triangleSide(across);
     if (complex_.twin(element, side) < 0) addUnmatchedSide(element, side, vertex);
   }
   return areaShare(sides.size(), [&](size_t i) -> const Eigen::Vector3d& {
-    return placed_[sides[i].vertex].bary;
+    return points_[sides[i].vertex].bary;
   });
 }
 
 void BisectorTracing::addSegment(int element, const FaceEnvelope::Segment& added) {
   const int left = envelope_.label(added.left), right = envelope_.label(added.right);
-  const int from = placed_[added.tail].point, to = placed_[added.tip].point;
+  const int from = points_[added.tail].point, to = points_[added.tip].point;
   const int segment = static_cast<int>(graph_.segments.size()), dart = 2 * segment;
   graph_.addSegment(from, to, left, right, complex_.face(element));
   if (graph_.isInner(from)) {
@@ -185,7 +186,7 @@ void BisectorTracing::addBoundaryPoint(int h, int vertex) {
   const FaceEnvelope::Vertex& v = envelope_.vertices()[vertex];
   if (v.kind != FaceEnvelope::Vertex::kOnSide) return;
   const Eigen::Vector3d start = complex_.faceBary(h / 3, Eigen::Vector3d::Unit(h % 3));
-  graph_.boundary.push_back({boundary, start[cornerAfter(boundary % 3)], placed_[vertex].point,
+  graph_.boundary.push_back({boundary, start[cornerAfter(boundary % 3)], points_[vertex].point,
                              envelope_.label(v.functions[0]), envelope_.label(v.functions[1])});
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <span>
 #include <vector>
 
 #include "base/index_map.h"
@@ -28,8 +27,6 @@ class BisectorTracing {
   bool step(long& budget);
 
  private:
-  using PlacedVertex = ElementPoints::PlacedVertex;
-
   void reserve();
   long add(int element);
   void assign(int element, int owner);
@@ -54,9 +51,7 @@ class BisectorTracing {
   FaceEnvelope envelope_;
   ElementPoints points_;
 
-  // The current element.
-  std::span<const PlacedVertex> placed_;  ///< per vertex of the envelope
-  std::vector<double> cellAreas_;
+  std::vector<double> cellAreas_;  ///< of the current element
 };
 
 }  // namespace gvd

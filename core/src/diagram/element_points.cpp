@@ -69,8 +69,7 @@ bool ElementPoints::prepare(long& budget) {
          fillInSlices(firstPoint_, complex_.elementCount(), -1, budget);
 }
 
-std::span<const ElementPoints::PlacedVertex> ElementPoints::of(int element,
-                                                               const FaceEnvelope& envelope) {
+void ElementPoints::make(int element, const FaceEnvelope& envelope) {
   const std::vector<Vertex>& vertices = envelope.vertices();
   placed_.assign(vertices.size(), {});
   for (int i = 0; i < 3; ++i)
@@ -96,7 +95,6 @@ std::span<const ElementPoints::PlacedVertex> ElementPoints::of(int element,
     hasInnerPoint |= isInside;
   }
   if (hasInnerPoint && areNear(vertices)) tellApartInnerPoints(complex_.face(element), vertices);
-  return placed_;
 }
 
 /// Merging must not join points of two sides beside their common corner without the corner itself:
@@ -143,18 +141,18 @@ bool ElementPoints::areNear(std::span<const Vertex> vertices) const {
 /// have a place of its own. If a neighbour face made a point on the common side, that has two
 /// places here: rounded as in this face and, in the graph, as in the other one.
 void ElementPoints::tellApartInnerPoints(int face, std::span<const Vertex> vertices) {
-  places_.clear();
+  std::vector<Eigen::Vector3d> places;  // that have a point
   for (const PlacedVertex& placed : placed_) {
     if (placed.point < 0) continue;
-    places_.push_back(placed.bary);
+    places.push_back(placed.bary);
     const Eigen::Vector3d inGraph = baryInFace(mesh_, graph_.places[placed.point], face);
-    if (inGraph != placed.bary) places_.push_back(inGraph);
+    if (inGraph != placed.bary) places.push_back(inGraph);
   }
   for (size_t i = 0; i < vertices.size(); ++i) {
     PlacedVertex& inner = placed_[i];
     if (vertices[i].kind != Vertex::kInside) continue;
-    while (std::count(places_.begin(), places_.end(), inner.bary) > 1) {
-      Eigen::Vector3d& place = *std::find(places_.begin(), places_.end(), inner.bary);
+    while (std::count(places.begin(), places.end(), inner.bary) > 1) {
+      Eigen::Vector3d& place = *std::find(places.begin(), places.end(), inner.bary);
       Eigen::Index largest;
       place.maxCoeff(&largest);
       place[largest] = std::nextafter(place[largest], 0.0);

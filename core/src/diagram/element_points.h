@@ -30,8 +30,10 @@ class ElementPoints {
   ElementPoints(const FaceComplex& complex, IndexMap& pointOfNode, BisectorGraph& graph);
   /// Allocates the lists, before any point is made; true when done.
   bool prepare(long& budget);
-  /// The points of an element, per vertex of its envelope; valid until the next call.
-  std::span<const PlacedVertex> of(int element, const FaceEnvelope& envelope);
+  /// Makes the points of an element, or finds those that its neighbours have made.
+  void make(int element, const FaceEnvelope& envelope);
+  /// A vertex of the envelope given last.
+  const PlacedVertex& operator[](int vertex) const { return placed_[vertex]; }
   /// The point at a node, which lies at `bary` in an element's face.
   int atNode(int element, int node, const Eigen::Vector3d& bary);
   /// Merges the points at the ends of a segment within their error bounds, if one of them is
@@ -56,9 +58,7 @@ class ElementPoints {
 
   /// Per element, the first point in the list of those on its sides (`Point::side`), -1 for none.
   std::vector<int> firstPoint_;
-  // Of the current element.
-  std::vector<PlacedVertex> placed_;
-  std::vector<Eigen::Vector3d> places_;  ///< that have a point
+  std::vector<PlacedVertex> placed_;  ///< per vertex of the current element's envelope
 };
 
 }  // namespace gvd
