@@ -23,8 +23,9 @@ bool BoundsLowering::step(long& budget) {
                 bounds_[v].distance = edgeBounds_[v];
               }),
       // In the order in which vertices lie in memory, because the first change is of all of them.
-      [&] { bounded_ = edgeBounds_.changed().sorted(); },
-      forEach(bounded_, budget, kQuickRounds, [&](int i) { resetBound(bounded_[i]); }),
+      [&] { changedVertices_ = edgeBounds_.changed().sorted(); },
+      forEach(changedVertices_, budget, kQuickRounds,
+              [&](int i) { resetBound(changedVertices_[i]); }),
       [&] { return lowerBy(change_.resumed, budget); }, [&] { startTurns(); },
       [&] { return spread(budget); });
 }

@@ -57,10 +57,10 @@ class BoundsLowering {
   SlicedSequence sequence_, round_;
   ReachedLoop reachedLoop_;
   LabelTurns turns_;
-  std::vector<int> bounded_;         ///< the vertices whose edge bounds have changed, ascending
-  bool hasSpread_ = false;           ///< whether all labels have; only missed vertices are left
-  std::vector<Requirement> missed_;  ///< of labels that go on to missed vertices
-  std::vector<int> goingOn_;         ///< these labels
+  std::vector<int> changedVertices_;  ///< the vertices whose edge bounds have changed, ascending
+  bool hasSpread_ = false;            ///< whether all labels have; only missed vertices are left
+  std::vector<Requirement> missed_;   ///< of labels that go on to missed vertices
+  std::vector<int> goingOn_;          ///< these labels
 };
 
 }  // namespace gvd

@@ -21,8 +21,8 @@ namespace gvd {
 /// one vertex may be required at others, so each label goes on until no more is required of it.
 ///
 /// Compares distances as labels have found them: how far `equalizeTies` lowers them depends on the
-/// labels known at a vertex, and so on the order of adding. That of the label in question counts as
-/// lowered as far as a tie may lower it.
+/// labels known at a vertex, and so on the order of adding. The label in question gets the least
+/// distance that a tie may give it, so that it is not missed.
 ///
 /// `LabelCompletion` applies the same rule to the elements of a refined diagram. No label can
 /// spread to their corners, so it unfolds the missing distance from the two known ones.

@@ -18,8 +18,9 @@ namespace gvd::exact {
 ///
 /// To follow every window back would take longer than to let it spread. Windows are followed back
 /// where they enter needles, and with labels that cross far more faces than usual: at first all;
-/// later, by chance, one in as many as faces were crossed for the last one. Those that wind come in
-/// turn with others, so a regular choice may always miss them.
+/// later, one in n by chance, where n faces were crossed for the last one that was followed. So
+/// that takes about as long as spreading. Windows that wind come in turn with others, so a regular
+/// choice may always miss them.
 class RevisitFilter {
  public:
   explicit RevisitFilter(const TriangleMesh& mesh);
