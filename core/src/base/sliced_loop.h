@@ -74,6 +74,12 @@ auto forEach(const Items& items, long& budget, long perUnit, Body body) {
     };
 }
 
+/// The same over the items of a list: calls `body` with each.
+template <class Items, class Body>
+auto forItems(Items& items, long& budget, long perUnit, Body body) {
+  return forEach(items, budget, perUnit, [&items, body](int i) { return body(items[i]); });
+}
+
 /// A sequence of parts, done one after the other: functions, which may take a `SlicedLoop` of their
 /// own, or loops made by `forEach`. A part returns false if it has used up its budget, and is then
 /// called again; a part that returns void is always done after one call.

@@ -59,8 +59,11 @@ void setPlaces(const Diagram& part, std::span<const int> points, std::vector<Sur
 bool DiagramPieces::replace(const DiagramChange& change, long& budget) {
   constexpr long kPiecesPerUnit = 4;
   const Diagram& part = change.part;
-  const auto forAll = [&](const auto& list, auto visit) {
+  const auto forNumbers = [&](const auto& list, auto visit) {
     return forEach(list, budget, kPiecesPerUnit, visit);
+  };
+  const auto forAll = [&](const auto& list, auto visit) {
+    return forItems(list, budget, kPiecesPerUnit, visit);
   };
   return replacing_.runRound(
       [&] {
@@ -69,30 +72,29 @@ bool DiagramPieces::replace(const DiagramChange& change, long& budget) {
         beside_.clear();
         arcOf_.clear();
       },
-      forAll(change.labels, [&](int i) { removePiecesOf(change.labels[i]); }),
-      [&] { makeSet(beside_); }, forAll(beside_, [&](int i) { unlistRemoved(beside_[i]); }),
-      forAll(change.faces, [&](int i) { removePiecesIn(change.faces[i]); }),
-      forAll(part.loops,
-             [&](int i) {
-               setPlaces(part, part.loops[i], regions_[part.loopLabel[i]].loops.emplace_back());
-             }),
-      forAll(part.arcs, [&](int i) { addArc(part, i); }),
+      forAll(change.labels, [&](int label) { removePiecesOf(label); }), [&] { makeSet(beside_); },
+      forAll(beside_, [&](int label) { unlistRemoved(label); }),
+      forAll(change.faces, [&](int face) { removePiecesIn(face); }),
+      forNumbers(part.loops,
+                 [&](int i) {
+                   setPlaces(part, part.loops[i], regions_[part.loopLabel[i]].loops.emplace_back());
+                 }),
+      forNumbers(part.arcs, [&](int i) { addArc(part, i); }),
       forAll(part.segments,
-             [&](int i) {
-               const Diagram::Segment& s = part.segments[i];
+             [&](const Diagram::Segment& s) {
                arcs_[arcOf_[s.arc]].segments.push_back(
                    {part.points[s.points[0]], part.points[s.points[1]], s.face});
              }),
-      forAll(part.voronoiPoints, [&](int i) { addVoronoiPoint(part, part.voronoiPoints[i]); }),
-      forAll(change.faces,
-             [&](int i) {
-               const int label = faceLabel_[change.faces[i]] = part.faceLabel[i];
-               if (label >= 0) regions_[label].faces.push_back(change.faces[i]);
-             }),
+      forAll(part.voronoiPoints, [&](const Diagram::VoronoiPoint& v) { addVoronoiPoint(part, v); }),
+      forNumbers(change.faces,
+                 [&](int i) {
+                   const int label = faceLabel_[change.faces[i]] = part.faceLabel[i];
+                   if (label >= 0) regions_[label].faces.push_back(change.faces[i]);
+                 }),
       [&] {
         for (const int face : part.indifferentFaces) isIndifferent_[face] = true;
       },
-      forAll(part.cells, [&](int i) { addCell(part, i); }));
+      forNumbers(part.cells, [&](int i) { addCell(part, i); }));
 }
 
 void DiagramPieces::removePiecesOf(int label) {

@@ -118,7 +118,7 @@ class DynamicDiagram::Implementation::Update final : public SequentialWork<Diagr
         [&] { labels_ = IndexSet(labelCount(), diagram_.distances_->changedLabels()); },
         [&] { return diagram_.overlaps_.update(labels_, budget); },
         [&] { return tracesAll_ || traceParts(budget); },
-        forEach(out_.faces, budget, 8, [&](int i) { addFaceLabel(out_.faces[i]); }),
+        forItems(out_.faces, budget, 8, [&](int face) { addFaceLabel(face); }),
         [&] { return !tracesAll_ || traceAll(budget); },
         [&] { return diagram_.pieces_.replace(out_, budget); },
         forEach(out_.labels, budget, kQuickRounds, [&](int i) { return setArea(i); }),

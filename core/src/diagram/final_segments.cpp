@@ -18,17 +18,16 @@ FinalSegments::FinalSegments(const TriangleMesh& mesh, BisectorGraph& graph,
 bool FinalSegments::step(long& budget) {
   constexpr long kSegmentsPerUnit = 8;
   const auto forSegments = [&](long perUnit, auto body) {
-    return forEach(out_.segments, budget, perUnit, [this, body](int s) { body(out_.segments[s]); });
+    return forItems(out_.segments, budget, perUnit, body);
   };
   if (points_.areThoseOfGraph()) return true;  // and so are the segments
   return sequence_.run(
       forSegments(kSegmentsPerUnit, [&](const Diagram::Segment& s) { addSegment(s); }),
       [&] { out_.segments.resize(kept_); },
-      forEach(boundarySteps_, budget, 1,
-              [&](int i) {
-                const OutlineSteps::BoundaryStep& step = boundarySteps_[i];
-                if (step.from != step.to) stack(step.from, step.to, step.label, -1, step.face);
-              }),
+      forItems(boundarySteps_, budget, 1,
+               [&](const OutlineSteps::BoundaryStep& step) {
+                 if (step.from != step.to) stack(step.from, step.to, step.label, -1, step.face);
+               }),
       [&] { return addStacks(budget); },
       [&] { return fillInSlices(isInFaceOfSegment_, out_.points.size(), '\0', budget); },
       forSegments(kQuickRounds, [&](const Diagram::Segment& s) { noteInFace(s); }),

@@ -8,7 +8,7 @@ bool OverlapFaces::update(const IndexSet& labels, long& budget) {
   const std::vector<int>& changed = distances_.changedFaces().list();
   return sequence_.runRound(
       [&] { forgetChanged(labels); },
-      forEach(changed, budget, kFacesPerUnit, [&](int i) { note(changed[i], labels); }));
+      forItems(changed, budget, kFacesPerUnit, [&](int face) { note(face, labels); }));
 }
 
 /// Removes the changed faces from the lists of the changed labels.

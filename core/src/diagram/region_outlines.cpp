@@ -57,8 +57,8 @@ bool RegionOutlines::step(long& budget) {
       [&] { return fillInSlices(isVisited_, darts, '\0', budget); },
       forEach(darts, budget, kQuickRounds,
               [&](int dart) { return isVisited_[dart] ? 1L : traceRing(dart); }),
-      forEach(boundaryLoops, budget, kQuickRounds,
-              [&](int loop) { return traceBoundary(boundaryLoops[loop]); }),
+      forItems(boundaryLoops, budget, kQuickRounds,
+               [&](int start) { return traceBoundary(start); }),
       [&] { return steps_.cancel(budget); },
       forEach(steps_, budget, kQuickRounds, [&](int s) { collectOutline(s); }), [&] { sort(); });
 }

@@ -23,7 +23,7 @@ bool RequiredLabels::find(long& budget) {
   return sequence_.runRound(
       [&] { finding_ = distances_.startDistancesAt(std::move(required_)); },
       [&] { return finding_->step(budget); }, [&] { found_ = finding_->take(); },
-      forEach(midpoints_, budget, 1, [&](int i) { setLabels(midpoints_[i]); }),
+      forItems(midpoints_, budget, 1, [&](int midpoint) { setLabels(midpoint); }),
       [&] {
         finding_.reset();
         required_.clear();

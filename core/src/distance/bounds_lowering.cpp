@@ -17,15 +17,11 @@ void BoundsLowering::beginChange() {
 
 bool BoundsLowering::step(long& budget) {
   return sequence_.run(
-      forEach(change_.resetVertices, budget, kQuickRounds,
-              [&](int i) {
-                const int v = change_.resetVertices[i];
-                bounds_[v].distance = edgeBounds_[v];
-              }),
+      forItems(change_.resetVertices, budget, kQuickRounds,
+               [&](int v) { bounds_[v].distance = edgeBounds_[v]; }),
       // In the order in which vertices lie in memory, because the first change is of all of them.
       [&] { changedVertices_ = edgeBounds_.changed().sorted(); },
-      forEach(changedVertices_, budget, kQuickRounds,
-              [&](int i) { resetBound(changedVertices_[i]); }),
+      forItems(changedVertices_, budget, kQuickRounds, [&](int v) { resetBound(v); }),
       [&] { return lowerBy(change_.resumed, budget); }, [&] { startTurns(); },
       [&] { return spread(budget); });
 }
@@ -61,7 +57,7 @@ bool BoundsLowering::spread(long& budget) {
     if (!round_.runRound(
             [&] { return turns_.step(budget); }, [&] { hasSpread_ = true; },
             [&] { return lowerBy(goingOn_, budget); },
-            forEach(bounded, budget, kQuickRounds, [&](int i) { return findMissed(bounded[i]); }),
+            forItems(bounded, budget, kQuickRounds, [&](int v) { return findMissed(v); }),
             [&] { requireMissed(); }))
       return false;
   } while (!turns_.isEmpty());

@@ -61,7 +61,7 @@ bool KnownLabels::step(long& budget) {
       },
       [&] { listed_ = change_.startsAll ? change_.started : atChanged_.sorted(); },
       [&] { return listLabels(budget); },
-      forEach(changed, budget, kQuickRounds, [&](int i) { lists_.equalizeTies(changed[i]); }),
+      forItems(changed, budget, kQuickRounds, [&](int v) { lists_.equalizeTies(v); }),
       // 4. Closure.
       [&] { return closure_.step(budget); },
       [&](SlicedLoop& loop) { return change_.startsAll || noteExtended(loop, budget); },

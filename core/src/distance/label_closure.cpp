@@ -17,15 +17,13 @@ void LabelClosure::beginChange() {
 
 bool LabelClosure::step(long& budget) {
   return sequence_.run(
-      forEach(changedFaces_.list(), budget, kQuickRounds,
-              [&](int i) { return closeFace(changedFaces_.list()[i]); }),
+      forItems(changedFaces_.list(), budget, kQuickRounds, [&](int f) { return closeFace(f); }),
       [&] { turns_.setRequired(found_); },
       [&] {
         return turns_.step(budget,
                            [&](int l, const auto& faces) { return listRequired(l, faces); });
       },
-      forEach(extended_.list(), budget, kQuickRounds,
-              [&](int i) { lists_.equalizeTies(extended_.list()[i]); }));
+      forItems(extended_.list(), budget, kQuickRounds, [&](int v) { lists_.equalizeTies(v); }));
 }
 
 // --- Listing -------------------------------------------------------------------------------------

@@ -38,9 +38,9 @@ bool OwnerFinding::step(long& budget) {
                loop.run(changedVertices_.size(), budget, kLabelsPerUnit,
                         [&](int i) { return findTies(changedVertices_.list()[i]); });
       },
-      forEach(affectedFaces_.list(), budget, kQuickRounds,
-              [&](int i) { owners_.reset(affectedFaces_.list()[i], requirements_); }),
-      forEach(ties_, budget, kQuickRounds, [&](int i) { addTie(ties_[i]); }));
+      forItems(affectedFaces_.list(), budget, kQuickRounds,
+               [&](int f) { owners_.reset(f, requirements_); }),
+      forItems(ties_, budget, kQuickRounds, [&](const LabelAtVertex& tie) { addTie(tie); }));
 }
 
 /// Marks the distances that are final because the label owns the vertex or ties with its owner.
@@ -77,7 +77,7 @@ bool OwnerFinding::affectAll(long& budget) {
 /// at the corners of that face any more, so these corners count as changed, too, and so on.
 bool OwnerFinding::findAffected(long& budget) {
   const auto forAll = [&](const std::vector<int>& list, auto body) {
-    return forEach(list, budget, 8, [&list, body](int i) { body(list[i]); });
+    return forItems(list, budget, 8, body);
   };
   const auto addFacesAround = [&](int v) {
     mesh_.visitFaces(v, [&](int f) { affectedFaces_.add(f); });

@@ -88,20 +88,20 @@ bool SiteDistances::step(long& budget) {
       [&] {
         return sites_.count() == 0 || reaching_.collect(*spread_, sites_.labelCount(), budget);
       },
-      forEach(givenChanges_, budget, kSitesPerUnit, [&](int i) { takeGiven(givenChanges_[i]); }),
+      forItems(givenChanges_, budget, kSitesPerUnit, [&](const SiteChange& c) { takeGiven(c); }),
       [&] { makeSet(atPlaces_); },
-      forEach(atPlaces_, budget, kSitesPerUnit, [&](int i) { takePart(atPlaces_[i]); }),
+      forItems(atPlaces_, budget, kSitesPerUnit, [&](int label) { takePart(label); }),
       // 1. Bounds, and which labels start or resume because of them.
       [&] { findLeaving(); }, [&] { return forget(budget); },
-      forEach(forgotten_, budget, kSitesPerUnit, [&](int i) { removeSite(forgotten_[i]); }),
+      forItems(forgotten_, budget, kSitesPerUnit, [&](int label) { removeSite(label); }),
       [&] { return edgeBounds_.forget(budget); },
-      forEach(changes_, budget, kSitesPerUnit, [&](int i) { insertSite(changes_[i]); }),
+      forItems(changes_, budget, kSitesPerUnit, [&](const SiteChange& c) { insertSite(c); }),
       [&] { return edgeBounds_.step(budget); },
       [&](SlicedLoop& loop) { return findOutdated(loop, budget); }, [&] { return forget(budget); },
       [&] { startedBox_.setEmpty(); },
-      forEach(change_.started, budget, kSitesPerUnit,
-              [&](int i) { startedBox_.extend(startOf(i)); }),
-      forEach(change_.started, budget, kSitesPerUnit, [&](int i) { placeStarted(i); }),
+      forItems(change_.started, budget, kSitesPerUnit,
+               [&](int label) { startedBox_.extend(mesh_.position(sites_[label])); }),
+      forItems(change_.started, budget, kSitesPerUnit, [&](int label) { placeStarted(label); }),
       [&] { orderLabels(); },
       // 2. Spread.
       [&] { return lowering_.step(budget); },
@@ -222,14 +222,8 @@ double SiteDistances::progress() const {
   return kShareOfSpread * lowering_.progress() + (1 - kShareOfSpread) * known_.progress();
 }
 
-/// Where the site of a label that starts is.
-Eigen::Vector3d SiteDistances::startOf(int i) const {
-  return mesh_.position(sites_[change_.started[i]]);
-}
-
-void SiteDistances::placeStarted(int i) {
-  const int label = change_.started[i];
-  const Eigen::Vector3d fromLeast = startOf(i) - startedBox_.min();
+void SiteDistances::placeStarted(int label) {
+  const Eigen::Vector3d fromLeast = mesh_.position(sites_[label]) - startedBox_.min();
   startedPlaces_.push_back({placeOnCurve(fromLeast / mesh_.boundingDiagonal()), label, label});
 }
 

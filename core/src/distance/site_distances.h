@@ -93,8 +93,7 @@ class SiteDistances final : public DistanceField {
   void removeSite(int label);
   void insertSite(const SiteChange& change);
   bool findOutdated(SlicedLoop& loop, long& budget);
-  Eigen::Vector3d startOf(int i) const;
-  void placeStarted(int i);
+  void placeStarted(int label);
   void orderLabels();
   bool isKnownAround(int label, const SurfacePoint& p) const;
 

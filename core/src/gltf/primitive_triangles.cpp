@@ -137,7 +137,7 @@ bool PrimitiveReading::step(long& budget) {
           indexReading_ = accessors_.start(*primitive_.indices, kIndices, name_, indices_);
       },
       [&] { return !hasIndices || indexReading_->step(budget); },
-      forEach(indices_, budget, kQuickRounds, [&](int i) { requireVertex(indices_[i]); }),
+      forItems(indices_, budget, kQuickRounds, [&](double index) { requireVertex(index); }),
       [&](SlicedLoop& loop) {
         constexpr long kTrianglesPerUnit = 16;
         const std::size_t corners = hasIndices ? indices_.size() : vertexCount_;

@@ -158,13 +158,13 @@ bool SmallComponents::step(long& budget) {
   Faces& faces = selection_.faces;
   return sequence_.run([&] { return fillInSlices(newTriangle_, count_, -1, budget); },
                        forEach(count_, budget, 8, [&](int t) { moveUp(t); }), [&] { shorten(); },
-                       forEach(faces, budget, 8,
-                               [&](int f) {
-                                 for (int& twin : faces[f].twins)
-                                   if (twin >= 0) twin = 3 * newTriangle_[twin / 3] + twin % 3;
-                               }),
-                       forEach(selection_.kept, budget, kQuickRounds, [&](int t) {
-                         if (int& kept = selection_.kept[t]; kept >= 0) kept = newTriangle_[kept];
+                       forItems(faces, budget, 8,
+                                [&](TriangleMesh::Face& face) {
+                                  for (int& twin : face.twins)
+                                    if (twin >= 0) twin = 3 * newTriangle_[twin / 3] + twin % 3;
+                                }),
+                       forItems(selection_.kept, budget, kQuickRounds, [&](int& kept) {
+                         if (kept >= 0) kept = newTriangle_[kept];
                        }));
 }
 
@@ -194,11 +194,11 @@ bool FanSplitting::step(long& budget) {
   const std::size_t halfedgeCount = 3 * faces_.size();
   return sequence_.run(
       [&] { return fillInSlices(firstVertex_, inputVertexCount_, -1, budget); },
-      forEach(faces_, budget, 8,
-              [&](int f) {
-                for (const int representative : faces_[f].vertices)
-                  used_ += std::exchange(firstVertex_[representative], 0) < 0;
-              }),
+      forItems(faces_, budget, 8,
+               [&](const TriangleMesh::Face& face) {
+                 for (const int representative : face.vertices)
+                   used_ += std::exchange(firstVertex_[representative], 0) < 0;
+               }),
       [&] { out_.representative.reserve(used_); },
       forEach(inputVertexCount_, budget, kQuickRounds,
               [&](int representative) {

@@ -169,8 +169,7 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
     return finding_.run(
         [&] { return fillInSlices(isOnFoundLoop_, m.vertexCount(), '\0', budget); },
         forEach(m.vertexCount(), budget, kQuickRounds, [&](int v) { followLoopFrom(v); }),
-        [&] { sampleBoundary(); },
-        forEach(boundary_, budget, 4, [&](int i) { lookForSeam(boundary_[i]); }),
+        [&] { sampleBoundary(); }, forItems(boundary_, budget, 4, [&](int h) { lookForSeam(h); }),
         [&] { countTopology(); });
   }
 

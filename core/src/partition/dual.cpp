@@ -108,12 +108,12 @@ class RegionMeshBuilding {
       : mesh_(mesh), complex_(complex) {}
 
   bool step(long& budget) {
-    return sequence_.run(
-        forEach(complex_.vertices, budget, 4,
-                [&](int v) {
-                  addVertex(mesh_, complex_.partition.points[complex_.vertices[v].point], out_);
-                }),
-        forEach(complex_.loops, budget, 1, [&](int l) { addPolygon(complex_.loops[l]); }));
+    return sequence_.run(forItems(complex_.vertices, budget, 4,
+                                  [&](const RegionComplex::Vertex& vertex) {
+                                    addVertex(mesh_, complex_.partition.points[vertex.point], out_);
+                                  }),
+                         forItems(complex_.loops, budget, 1,
+                                  [&](const RegionComplex::Loop& loop) { addPolygon(loop); }));
   }
   PolygonMesh take() { return std::move(out_); }
 

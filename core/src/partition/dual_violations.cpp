@@ -55,8 +55,8 @@ bool ViolationFinding::step(long& budget) {
   return sequence_.run(
       forEach(mesh_.faceCount(), budget, kQuickRounds, [&](int f) { findBareFace(f); }),
       [&] { addBareComponents(); },
-      forEach(complex_.partition.regions, budget, 4,
-              [&](int l) { inspectRegion(complex_.partition.regions[l]); }),
+      forItems(complex_.partition.regions, budget, 4,
+               [&](const RegionPatch& region) { inspectRegion(region); }),
       [&] { return pairs_.prepare(complex_.borders.size(), budget); },
       forBorders([&](int b) { addMeetingAlong(b); }), forVertices([&](int v) { addMeetingsAt(v); }),
       [&] {

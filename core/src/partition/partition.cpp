@@ -205,19 +205,19 @@ class Partitioner final : public SequentialWork<Partition> {
           const std::size_t all = mesh_.vertexCount() + diagram_.points.size();
           return fillInSlices(number_, all, -1, budget);
         },
-        forEach(out_.triangles, budget, 8,
-                [&](int t) {
-                  for (const int v : out_.triangles[t]) used_ += std::exchange(number_[v], 0) < 0;
-                }),
+        forItems(out_.triangles, budget, 8,
+                 [&](const Corners& triangle) {
+                   for (const int v : triangle) used_ += std::exchange(number_[v], 0) < 0;
+                 }),
         [&] {
           out_.points.reserve(used_);
           out_.positions.reserve(used_);
         },
         forEach(number_, budget, 8, [&](int v) { numberVertex(v); }),
-        forEach(out_.triangles, budget, 8,
-                [&](int t) {
-                  for (int& v : out_.triangles[t]) v = number_[v];
-                }),
+        forItems(out_.triangles, budget, 8,
+                 [&](Corners& triangle) {
+                   for (int& v : triangle) v = number_[v];
+                 }),
         [&] { return twins_.prepare(3 * out_.triangles.size(), budget); },
         forEach(out_.triangles, budget, 4, [&](int t) { matchTwins(t); }),
         [&] {

@@ -118,9 +118,8 @@ class DiskSampling final : public SequentialWork<PoissonDisk> {
 
   bool spread(long& budget) {
     const auto& reached = sweep_.reached();
-    isSpreading_ =
-        !spread_.runRound([&] { return sweep_.step(budget); },
-                          forEach(reached, budget, 4, [&](int i) { addDisk(reached[i]); }));
+    isSpreading_ = !spread_.runRound([&] { return sweep_.step(budget); },
+                                     forItems(reached, budget, 4, [&](int v) { addDisk(v); }));
     return !isSpreading_;
   }
 

@@ -73,7 +73,7 @@ class FarthestSampling final : public SequentialWork<std::vector<SurfacePoint>> 
   bool addOthers(long& budget) {
     const auto& reached = sweep_.reached();
     while (spread_.runRound([&] { return sweep_.step(budget); },
-                            forEach(reached, budget, 8, [&](int i) { takeDistance(reached[i]); }),
+                            forItems(reached, budget, 8, [&](int v) { takeDistance(v); }),
                             [&] { return isComplete() || findFarthest(budget); })) {
       if (isComplete()) return true;
       const auto [distance, negative] = queue_.top();
