@@ -59,8 +59,8 @@ long LabelClosure::closeFace(int f) {
   visitLabels(a, b, c, [&](int label, const auto& at) {
     const int known = (at[0] != nullptr) + (at[1] != nullptr) + (at[2] != nullptr);
     if (known != 2) return;
-    const int i = at[2] ? at[1] ? 1 : 2 : 0;
-    requireAcross(3 * f + i, label);
+    const int side = !at[2] ? 0 : !at[0] ? 1 : 2;  // across from the corner that lacks the label
+    requireAcross(3 * f + side, label);
   });
   return kRoundsPerLabel * static_cast<long>(a.size() + b.size() + c.size());
 }
