@@ -262,6 +262,8 @@ test('a .gltf finds its buffer in its folder, and nothing outside', () => {
   write('data/a shape.bin', put('shape.gltf', 'data/a%20shape.bin'));
   assert.match(succeeds('info shape.gltf').stdout, /triangles +8/);
   assert.match(run('info -', read('shape.gltf')).stderr, /data\/a%20shape\.bin/);
+  write('__proto__', put('shape.gltf', '__proto__'));
+  assert.match(succeeds('info shape.gltf').stdout, /triangles +8/);
 
   write('secret.bin', put('data/shape.gltf', '../secret.bin'));
   fails(1, 'info data/shape.gltf', /\.\.\/secret\.bin.*outside/);

@@ -203,7 +203,7 @@ test('the data URI of a buffer is decoded once', async (t) => {
   // Nor does what reads the file after it is decompressed.
   const compile = () =>
     WebAssembly.compile(readFileSync(new URL('../../dist/draco.wasm', import.meta.url)));
-  const { bytes } = await decompressed(parseGltf(bytesOf(text)), {}, compile, {});
+  const { bytes } = await decompressed(parseGltf(bytesOf(text)), new Map(), compile, {});
   assert.doesNotMatch(new TextDecoder().decode(bytes), /data:/);
 });
 
@@ -413,6 +413,15 @@ test('files come in any order, by paths that are percent-encoded or not', async 
     gvd.mesh({ 'a.obj': unreadable }),
     fails('invalid-file', /a\.obj cannot be read: it has changed/),
   );
+});
+
+test('a file is found by any name, also by one that every object has', async () => {
+  const { json, buffer } = gltf(octahedron(), { uri: '__proto__' });
+  const files = Object.fromEntries([
+    ['scene.gltf', bytesOf(JSON.stringify(json))],
+    ['__proto__', buffer],
+  ]);
+  assert.equal((await gvd.mesh(files)).info.faces, 8);
 });
 
 test('bytes in shared memory are read, of which browsers decode no text', async (t) => {

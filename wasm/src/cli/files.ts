@@ -51,14 +51,14 @@ async function modelFiles(path: string): Promise<ModelFiles> {
   if (path !== standard && (await kindOf(path)) === 'folder') return folderFiles(path);
   const bytes = await readBytes(path);
   if (path === standard) return { '': handedOver(bytes) };
-  const files: ModelFiles = { [basename(path)]: handedOver(bytes) };
+  const files = new Map<string, ModelFile>([[basename(path), handedOver(bytes)]]);
   modelPaths.add(await targetOf(path));
   for (const uri of gltfResourceUris(bytes)) {
     const place = placeOf('', uri);
     const file = place === undefined ? undefined : await fileWithin(dirname(path), place);
-    if (file) files[uri] = file;
+    if (file) files.set(uri, file);
   }
-  return files;
+  return Object.fromEntries(files);
 }
 
 /** The most files of a folder: models have a few, and a larger folder was named by mistake. */
@@ -66,7 +66,7 @@ const maxFiles = 10_000;
 
 /** All files of a folder and those in it, by their paths; read when they are needed. */
 async function folderFiles(folder: string): Promise<ModelFiles> {
-  const files: ModelFiles = {};
+  const files = new Map<string, ModelFile>();
   let count = 0;
   const visit = async (path: string): Promise<void> => {
     const entries = await readdir(join(folder, path), { withFileTypes: true });
@@ -79,7 +79,7 @@ async function folderFiles(folder: string): Promise<ModelFiles> {
       }
       // Links are not followed: they lead anywhere, also in circles.
       if (entry.isDirectory()) await visit(place);
-      else if (entry.isFile()) files[place] = fileAt(join(folder, place));
+      else if (entry.isFile()) files.set(place, fileAt(join(folder, place)));
     }
   };
   try {
@@ -88,7 +88,7 @@ async function folderFiles(folder: string): Promise<ModelFiles> {
     if (error instanceof FileError) throw error;
     throw new FileError(`${folder} cannot be read: ${reason(error)}`);
   }
-  return files;
+  return Object.fromEntries(files);
 }
 
 /** A file that a model refers to, if it is there. No model may reach outside its folder. */

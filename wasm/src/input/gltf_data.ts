@@ -94,7 +94,8 @@ export class GltfData {
     if (typeof uri !== 'string')
       throw gltfFault(`buffer ${index}, which ${what} needs, has no uri`);
     if (/^data:/i.test(uri)) return this.#decodedBuffer(index as number, uri);
-    if (Object.hasOwn(this.#resources, uri)) return this.#resources[uri];
+    const content = this.#resources.get(uri);
+    if (content) return content;
     throw gltfFault(`buffer ${index} needs the file "${uri}", which is missing`);
   }
 

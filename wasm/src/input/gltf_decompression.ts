@@ -47,16 +47,16 @@ export async function decompressed(
   }
 
   const added = await inSlices(data.added(), { signal: task.signal });
-  const all: Resources = { ...resources, [decompressedName]: added };
+  const all = new Map(resources).set(decompressedName, added);
   const buffers = data.list('buffers');
   if (binary && buffers.length > 0 && buffers[0].uri === undefined) {
     buffers[0].uri = binaryName;
-    all[binaryName] = binary;
+    all.set(binaryName, binary);
   }
   // The reader decodes none again.
   for (const [buffer, content] of data.decoded) {
     buffers[buffer].uri = decodedName(buffer);
-    all[decodedName(buffer)] = content;
+    all.set(decodedName(buffer), content);
   }
   buffers.push({ uri: decompressedName, byteLength: added.length });
   try {

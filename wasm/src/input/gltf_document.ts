@@ -11,7 +11,7 @@ import { parseJsonMembers } from './json_members.js';
 export type JsonObject = Record<string, unknown>;
 
 /** Files that a glTF names, by the URIs that it uses. */
-export type Resources = Record<string, Uint8Array>;
+export type Resources = ReadonlyMap<string, Uint8Array>;
 
 export interface GltfDocument {
   json: JsonObject;

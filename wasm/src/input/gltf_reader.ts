@@ -32,8 +32,8 @@ export async function readGltf(
   const reading = wasm.call(
     'readGltfScene',
     wasm.keep(bytes),
-    wasm.keep(Object.keys(resources)),
-    wasm.keep(Object.values(resources)),
+    wasm.keep([...resources.keys()]),
+    wasm.keep([...resources.values()]),
     Object.keys(limits),
     Float64Array.from(Object.values(limits)),
   );

@@ -15,7 +15,6 @@ import {
   isCompressed,
   parseGltf,
   parseGltfHead,
-  type Resources,
   resourceUris,
 } from './gltf_document.js';
 import { toSizeLimits } from './limits.js';
@@ -152,10 +151,10 @@ async function readableGltf(
   task: TaskOptions,
 ): Promise<GltfFile> {
   const head = parseGltfHead(bytes) ?? {};
-  const resources: Resources = {};
+  const resources = new Map<string, Uint8Array>();
   for (const uri of resourceUris(head)) {
     const content = await resource(uri);
-    if (content) resources[uri] = content;
+    if (content) resources.set(uri, content);
   }
   return isCompressed(head)
     ? decompressed(parseGltf(bytes), resources, dracoModule, task)

@@ -71,13 +71,14 @@ export async function fetchModelFiles(
 ): Promise<NamedFiles> {
   const url = urlOf(address);
   const name = nameOf(url);
-  const bytes = await fetchBytes(url, signal, onProgress);
-  const files: ModelFiles = { [name]: bytes };
-  for (const uri of gltfResourceUris(bytes)) {
-    files[uri] = await fetchBytes(urlOf(uri, url), signal);
-  }
   const fetchBeside = (uri: string, signal: AbortSignal) => fetchBytes(urlOf(uri, url), signal);
-  return { name, files, file: url.hash ? decoded(url.hash.slice(1)) : undefined, fetchBeside };
+  const bytes = await fetchBytes(url, signal, onProgress);
+  const files = new Map([[name, bytes]]);
+  for (const uri of gltfResourceUris(bytes)) {
+    files.set(uri, await fetchBeside(uri, signal));
+  }
+  const file = url.hash ? decoded(url.hash.slice(1)) : undefined;
+  return { name, files: Object.fromEntries(files), file, fetchBeside };
 }
 
 function urlOf(address: string, base: string | URL = document.baseURI): URL {
