@@ -127,7 +127,7 @@ test('--max-edge, --weld, --orientation and --min-component: how the mesh is mad
   assert.match(succeeds('info turned.glb').stdout, /repair: 1 triangle turned over/);
   assert.match(
     succeeds('info turned.glb --orientation keep').stdout,
-    /repair: 3 edges cut because their two triangles disagree in orientation\n/,
+    /repair: 3 edges cut because their two triangles disagree in orientation: no path leads across\n/,
   );
 
   const finer = succeeds('info shape.glb --max-edge 0.2').stdout;
@@ -169,11 +169,14 @@ test('--max-edge, --weld, --orientation and --min-component: how the mesh is mad
 test('edges that are cut are told of', () => {
   write('fin.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n');
   const { stderr } = succeeds('distances fin.obj --sites {"vertex":[2]} -o d.json');
-  assert.match(stderr, /^note: 1 edge of three or more triangles is cut apart: distances do not/);
+  assert.match(
+    stderr,
+    /^note: 1 edge of three or more triangles, where components are cut apart: no path leads across\n/,
+  );
 
   write('turned.glb', glb(withFlipped(octahedron(), 2)));
   const note =
-    /^note: 3 edges of two triangles that disagree in orientation are cut apart: distances do not lead across\n/;
+    /^note: 3 edges cut because their two triangles disagree in orientation: no path leads across\n/;
   for (const command of [
     'distances turned.glb --sites {"vertex":[2]}',
     'path turned.glb --from {"vertex":0} --to {"vertex":3}',
@@ -194,7 +197,7 @@ test('edges that are cut are told of', () => {
   const touching = succeeds('distances hourglass.glb --sites 2 -o d.json').stderr;
   assert.match(
     touching,
-    /^note: at 1 vertex parts of the surface touch: distances do not lead across\n/m,
+    /^note: 1 vertex split where separate fans of triangles touch: no path leads across\n/m,
   );
   const none = succeeds(
     'path hourglass.glb --from {"vertex":0} --to {"vertex":[1,4]} -o p.json',
@@ -213,7 +216,7 @@ test('a hole where a corner is not finite is told of', () => {
     succeeds(`distances ${model} --sites {"vertex":[0]} -o d.json`).stderr;
   assert.match(
     distances('hole.ply'),
-    /^note: 1 triangle with a corner that is not finite is dropped: the surface may have a hole there\n/,
+    /^note: 1 triangle with a corner that is not finite, dropped: the surface may have a hole there\n/,
   );
   assert.doesNotMatch(distances('whole.ply'), /note/);
 });

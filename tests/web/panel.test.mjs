@@ -133,7 +133,7 @@ suite('the panel', () => {
     await showGroup('Model');
     assert.match(
       await text('#repairs'),
-      /edges? of three or more triangles, where components are cut apart\./,
+      /edges? of three or more triangles, where components are cut apart: no path leads across\./,
     );
     assert.match(await text('#report'), /Triangles34/);
   });

@@ -24,17 +24,19 @@ const repairTexts: Record<
 > = {
   weldedVertices: (n) => `${vertices(n)} welded to ${n === 1 ? 'an earlier one' : 'earlier ones'}`,
   isolatedVertices: (n) => `${vertices(n)} without a triangle`,
-  nonFiniteTriangles: (n) => `${triangles(n)} with a corner that is not finite, dropped`,
+  nonFiniteTriangles: (n) =>
+    `${triangles(n)} with a corner that is not finite, dropped: the surface may have a hole there`,
   degenerateTriangles: (n) => `${triangles(n)} with two equal corners, dropped`,
   duplicateTriangles: (n) => `${triangles(n)} given twice, dropped`,
   nonManifoldEdges: (n) =>
-    `${counted(n, 'edge')} of three or more triangles, where components are cut apart`,
+    `${counted(n, 'edge')} of three or more triangles, where components are cut apart: no path leads across`,
   orientationCuts: (n) =>
-    `${counted(n, 'edge')} cut because ${n === 1 ? 'its' : 'their'} two triangles disagree in orientation`,
+    `${counted(n, 'edge')} cut because ${n === 1 ? 'its' : 'their'} two triangles disagree in orientation: no path leads across`,
   flippedTriangles: (n) => `${triangles(n)} turned over to agree with the neighbours`,
   smallComponents: (n) => `${counted(n, 'component')} with fewer triangles than asked for, dropped`,
   smallComponentTriangles: (n) => `${triangles(n)} of these, dropped with them`,
-  splitVertices: (n) => `${vertices(n)} split where separate fans of triangles touch`,
+  splitVertices: (n) =>
+    `${vertices(n)} split where separate fans of triangles touch: no path leads across`,
   mollifiedTriangles: (n, by) =>
     `${triangles(n)} flat or tiny: for distances, all edges are longer by ${by}, and flat triangles become a little higher`,
 };
@@ -51,12 +53,14 @@ const triangles = (count: number) => counted(count, 'triangle');
  * writes the one length among the numbers.
  */
 export function repairSentences(
-  repairs: MeshRepairs,
+  repairs: Partial<MeshRepairs>,
   length: (value: number) => string = String,
 ): string[] {
   toResult('repairs', repairs);
+  const by = length(repairs.mollification ?? 0);
   const names = Object.keys(repairTexts) as (keyof typeof repairTexts)[];
-  return names
-    .filter((name) => repairs[name] > 0)
-    .map((name) => repairTexts[name](repairs[name], length(repairs.mollification)));
+  return names.flatMap((name) => {
+    const count = repairs[name] ?? 0;
+    return count > 0 ? [repairTexts[name](count, by)] : [];
+  });
 }

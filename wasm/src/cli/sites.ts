@@ -6,7 +6,7 @@ import { GeodesicVoronoiError } from '../api/errors.js';
 import { toPoints } from '../library/arguments.js';
 import { load } from '../node.js';
 import type { SurfacePoints } from '../api/results.js';
-import { counted, integer } from '../base/sentences.js';
+import { counted, integer, repairSentences } from '../base/sentences.js';
 import type { Density } from '../api/options.js';
 import type { Mesh } from '../api/types.js';
 import { endingOf, type Target } from './encoders.js';
@@ -158,30 +158,11 @@ async function sampled(
 
 /** Notes what the reader passed over, and where the surface is not the one that its triangles seem to make. */
 export function meshNotes({ info: { notes, repairs } }: Mesh): string[] {
-  const cut = (edges: number, why: string, to = '') =>
-    edges === 0
-      ? []
-      : [
-          `${counted(edges, 'edge')} of ${why} ${edges === 1 ? 'is' : 'are'} cut apart: distances do not lead across${to}`,
-        ];
-  const cuts = [
-    ...cut(repairs.nonManifoldEdges, 'three or more triangles', ' to another component'),
-    ...cut(repairs.orientationCuts, 'two triangles that disagree in orientation'),
-  ];
+  const { nonFiniteTriangles, nonManifoldEdges, orientationCuts } = repairs;
   // Cut edges split vertices, too.
-  const touching = cuts.length > 0 ? 0 : repairs.splitVertices;
-  if (touching > 0)
-    cuts.push(
-      `at ${counted(touching, 'vertex', 'vertices')} parts of the surface touch: distances do not lead across`,
-    );
-  const dropped = repairs.nonFiniteTriangles;
-  const holes =
-    dropped === 0
-      ? []
-      : [
-          `${counted(dropped, 'triangle')} with a corner that is not finite ${dropped === 1 ? 'is' : 'are'} dropped: the surface may have a hole there`,
-        ];
-  return [...notes, ...cuts, ...holes];
+  const splitVertices = nonManifoldEdges + orientationCuts > 0 ? 0 : repairs.splitVertices;
+  const told = { nonFiniteTriangles, nonManifoldEdges, orientationCuts, splitVertices };
+  return [...notes, ...repairSentences(told)];
 }
 
 /** Notes the components that no site is on, if there are any, and options that put one on each. */
