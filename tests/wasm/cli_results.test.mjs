@@ -339,11 +339,15 @@ test('partition as STL: all regions, or one of them', () => {
     /: --region is 3, not an integer from -1 to 2$/m,
   );
   fails(2, 'partition shape.glb --sites 3 --region 0 -o a.obj', /--region is about \.stl files/);
-  for (const region of [1, -1])
+  for (const what of [
+    'shape.glb --sites same.json --region 1',
+    'shape.glb --sites same.json --region -1',
+    'two.glb --sites same.json --region -1 --leave-out-unreachable',
+  ])
     fails(
       1,
-      `partition shape.glb --sites same.json --region ${region} -q -o part.stl`,
-      new RegExp(`: --region is ${region}: no part of the surface is in it$`, 'm'),
+      `partition ${what} -q -o part.stl`,
+      /: --region is -?1: the partition has no triangles of it$/m,
     );
 });
 

@@ -220,7 +220,7 @@ async function partition({ mesh: path, values }: Request<'partition'>): Promise<
   });
   const { label } = partition.triangles;
   if (region !== undefined && !label.includes(region))
-    throw new FileError(`--region is ${region}: no part of the surface is in it`);
+    throw new FileError(`--region is ${region}: the partition has no triangles of it`);
   await output.write(encode({ mesh, sites, partition, layout, region }, lengthsOf(mesh, values)));
   const { components, loops, eulerCharacteristic } = partition.regions;
   const disks = components.filter(
