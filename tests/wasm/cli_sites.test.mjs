@@ -80,6 +80,9 @@ test('results name their mesh, so that their sites are not taken for those of an
       /another mesh, of another file or made with other options: to one with 8 triangles, not 32/,
     );
   }
+  write('places.json', '{"mesh": {"faces": 8}, "position": [1, 0, 0]}');
+  succeeds('diagram shape.glb --sites places.json --quiet -o result.json');
+  fails(1, 'diagram grid.glb --sites places.json', /another mesh, .* 8 triangles, not 32/);
 });
 
 test('--radius: as many sites as it takes, in the unit of the output', () => {

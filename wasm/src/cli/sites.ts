@@ -5,6 +5,7 @@
 import { GeodesicVoronoiError } from '../api/errors.js';
 import { toPoints } from '../library/arguments.js';
 import { load } from '../node.js';
+import { requireSameMesh } from '../input/points_file.js';
 import type { SurfacePoints } from '../api/results.js';
 import { counted, integer, repairSentences } from '../base/sentences.js';
 import type { Density } from '../api/options.js';
@@ -101,7 +102,10 @@ export async function onSurface(
   try {
     const { name, points, faces } = given;
     const list = toPoints('points', points);
-    if ('position' in list) return await closestOf(mesh, name, list.position, values);
+    if ('position' in list) {
+      requireSameMesh(given, mesh.info);
+      return await closestOf(mesh, name, list.position, values);
+    }
     return await mesh.readPoints(faces === undefined ? points : { mesh: { faces }, sites: points });
   } catch (error) {
     throw new FileError(`${given.name}: ${(error as Error).message}`, { cause: error });
