@@ -860,6 +860,23 @@ suite('attributes and events', () => {
     assert.match(message, /^vast\.gltf cannot be opened: .*16777216 vertices\.$/);
   });
 
+  test('limits on what a model may ask for are raised and lowered by an attribute', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
+    const open = (limits) =>
+      viewer.evaluate((viewer, limits) => {
+        viewer.setAttribute('limits', limits);
+        void viewer.load('/pentagon.obj');
+      }, limits);
+    for (const [limits, why] of [
+      ['maxVertices=4', /has more than 4 vertices\.$/],
+      ['vertices=9', /the name of a limit is "vertices", not/],
+      ['maxVertices', /limits\.maxVertices is "undefined", not/],
+    ])
+      assert.match((await viewer.after('error', () => open(limits))).message, why);
+    await viewer.after('load', () => open('maxVertices=5, maxTriangles=3'));
+    assert.equal(await viewer.evaluate(({ info }) => info.faces), 3);
+  });
+
   test('a model that is given up is not made ready on the page in place of the worker', async () => {
     const { page } = await browser.visit({ path: 'unplaced.html' });
     await page.waitForFunction(() => document.querySelector('[status="failed"]'));

@@ -10,7 +10,7 @@ import type {
   Sampling,
   SurfacePoints,
 } from 'geodesic-voronoi';
-import { buildAttributes, samplingAttributes } from './attributes/attribute_defaults.js';
+import { openingAttributes, samplingAttributes } from './attributes/attribute_defaults.js';
 import { formatCameraOrbit } from './stage/camera_orbit.js';
 import { type Command, commandOf, instructionsOf, perform } from './tools/commands.js';
 import { fileOfPicture } from './buffers/drawing_builder.js';
@@ -52,7 +52,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     'touch-action',
     'camera-orbit',
     ...samplingAttributes,
-    ...buildAttributes,
+    ...openingAttributes,
     'metric',
     'detail',
     'layers',
@@ -434,7 +434,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
       names.some((name) => changed.has(name)) &&
       (this.attributeValues.differ(names) || viewer.session.status !== 'ready');
     if (changed.has('src') && this.src) void this.load(this.src);
-    else if (isNews(buildAttributes)) void viewer.rebuild();
+    else if (isNews(openingAttributes)) void viewer.rebuild();
     else if (isNews(samplingAttributes)) void viewer.sampleSites(this.attributeValues.siteSampling);
   }
 }

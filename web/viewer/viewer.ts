@@ -4,8 +4,8 @@
 
 import type { SurfacePath } from 'geodesic-voronoi';
 import {
-  buildAttributes,
   namingAttributes,
+  openingAttributes,
   samplingAttributes,
 } from './attributes/attribute_defaults.js';
 import type { Attributes } from './attributes/attribute_values.js';
@@ -296,7 +296,7 @@ export class Viewer implements Workpiece {
     return {
       modelChanged: (opened) => {
         const { mesh, name } = opened;
-        this.attributes.keep(buildAttributes);
+        this.attributes.keep(openingAttributes);
         this.#showModel(opened);
         this.#emit('progress', { totalProgress: 1, reason: 'loading' });
         this.#emit('load', { name, info: mesh.info, parts: mesh.parts });

@@ -8,6 +8,8 @@ const build = { 'max-edge': '0', weld: '0', orientation: 'unify', 'min-component
 const sampling = { sites: '0', seed: '1', sampling: 'random', 'per-component': '0' };
 
 export const buildAttributes = Object.keys(build) as (keyof typeof build)[];
+/** What the opened model depends on. */
+export const openingAttributes = [...buildAttributes, 'limits'] as const;
 export const samplingAttributes = Object.keys(sampling) as (keyof typeof sampling)[];
 
 /** The library has the same defaults for what its functions take, so code may leave these out. */
@@ -36,7 +38,7 @@ const ofOptions: Readonly<Record<string, string>> = {
   method: 'cvt-method',
 };
 
-/** A sentence of the library with the attribute for an option, and without options that have none. */
+/** A sentence of the library with the attribute for an option, and without advice for programmers. */
 export function namingAttributes(sentence: string): string {
   return sentence
     .replace(/(?<=: )\w+(?= is )/, (option) => ofOptions[option] ?? option)

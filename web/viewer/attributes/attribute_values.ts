@@ -2,7 +2,7 @@
 //
 // The values of the element's attributes.
 
-import type { CvtMethod, Metric, Orientation, Sampling } from 'geodesic-voronoi';
+import type { CvtMethod, GltfLimits, Metric, Orientation, Sampling } from 'geodesic-voronoi';
 import { attributeDefaults, attributeOf } from './attribute_defaults.js';
 import { type CameraOrbit, parseCameraOrbit } from '../stage/camera_orbit.js';
 import type { CvtSettings } from '../session/cvt_run.js';
@@ -98,9 +98,17 @@ export class Attributes {
         weld: this.#argument('weld'),
         orientation: this.#text('orientation') as Orientation,
         minComponent: this.#argument('min-component'),
+        limits: this.#limits,
       },
       siteSampling: () => this.siteSampling,
     };
+  }
+
+  /** As the command has them: `maxVertices=N,maxTriangles=N`. */
+  get #limits(): GltfLimits {
+    const given = (this.#given('limits') ?? '').split(',').filter((each) => each.trim() !== '');
+    const pairs = given.map((each) => each.split('='));
+    return Object.fromEntries(pairs.map(([name, most]) => [name.trim(), argumentOf(String(most))]));
   }
 
   get siteSampling(): SiteSampling {
@@ -148,10 +156,13 @@ export class Attributes {
     return Number.isFinite(number) ? number : Number(attributeDefaults[name]);
   }
 
-  /** A number for the library; a text that is no number as it is, for the library to refuse it. */
   #argument(name: string): number {
-    const text = this.#text(name).trim() || attributeDefaults[name];
-    const number = Number(text);
-    return Number.isNaN(number) ? (text as unknown as number) : number;
+    return argumentOf(this.#text(name).trim() || attributeDefaults[name]);
   }
+}
+
+/** A number for the library; a text that is no number as it is, for the library to refuse it. */
+function argumentOf(text: string): number {
+  const number = Number(text);
+  return Number.isNaN(number) ? (text as unknown as number) : number;
 }

@@ -24,7 +24,7 @@ export interface SiteSampling extends Omit<SampleOptions, keyof TaskOptions> {
 
 /** How a model is opened. */
 export interface Opening {
-  build: Pick<MeshOptions, 'maxEdge' | 'weld' | 'orientation' | 'minComponent'>;
+  build: Pick<MeshOptions, 'maxEdge' | 'weld' | 'orientation' | 'minComponent' | 'limits'>;
   /** How sites are sampled; it may change while the model is opened. */
   siteSampling: () => SiteSampling;
   /** Sites and density that the model has had before. */
