@@ -93,8 +93,9 @@ test('a worker that may not be started is told of as one that cannot be loaded',
 
 test('a worker whose script cannot be loaded is told of by its address', async (t) => {
   t.after(() => delete globalThis.Worker);
-  globalThis.Worker = class {
+  globalThis.Worker = class extends EventTarget {
     constructor() {
+      super();
       setTimeout(() => this.onerror({ message: '' }));
     }
     postMessage() {}

@@ -24,15 +24,13 @@ function fakeWorker(loadEngine) {
   const { port1, port2 } = new MessageChannel();
   const sent = [];
   serve(port2, loadEngine);
-  const worker = {
-    onmessage: null,
-    onerror: null,
+  const worker = Object.assign(new EventTarget(), {
     postMessage(message) {
       sent.push(message);
       port1.postMessage(message);
     },
     terminate: () => port1.close(),
-  };
+  });
   port1.onmessage = (event) => worker.onmessage(event);
   return { worker, sent };
 }
@@ -264,7 +262,7 @@ test('disposing frees on the far side, and ends what waits', async (t) => {
 });
 
 test('a worker that does not load, or stops, says so', async (t) => {
-  const silent = { onmessage: null, onerror: null, postMessage() {}, terminate() {} };
+  const silent = Object.assign(new EventTarget(), { postMessage() {}, terminate() {} });
   const starting = startWorkerEngine(silent, sources(), 'the worker');
   silent.onerror({ message: '' });
   await assert.rejects(starting, fails('load-failed', /script/));
@@ -286,6 +284,6 @@ test('a worker that does not load, or stops, says so', async (t) => {
 test('an answer that cannot be received ends what waits', async (t) => {
   const { library, worker } = await loadThroughChannel(t);
   const waiting = library.mesh(octahedron());
-  worker.onmessageerror();
+  worker.dispatchEvent(new Event('messageerror'));
   await assert.rejects(waiting, fails('internal', /the worker has stopped: its answer/));
 });

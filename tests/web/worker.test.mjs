@@ -57,6 +57,18 @@ test('a worker and its modules are found beside the library', async () => {
   assert.equal(await regions('lib', ''), 3);
 });
 
+test('an answer of a Worker that cannot be received ends what waits', async () => {
+  const worker = `Object.assign(new Worker('/lib/worker.js', { type: 'module' }), {
+    postMessage() {
+      this.dispatchEvent(new MessageEvent('messageerror'));
+    },
+  })`;
+  assert.equal(
+    await regions('lib', `{ worker: ${worker} }`),
+    'load-failed: the worker has stopped: its answer cannot be received',
+  );
+});
+
 test('elsewhere they are given: an address, a Worker; addresses, a Response or bytes', async () => {
   assert.match(await regions('app', ''), /^load-failed: the worker "worker\.js" has stopped/);
   assert.match(await regions('app', `{ worker: '/lib/worker.js' }`), /^load-failed: .*404/);

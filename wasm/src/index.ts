@@ -60,6 +60,7 @@ export function compileModules(options?: CompileOptions): Promise<Modules> {
 /** A `Worker` of a page. That name is one of the DOM's types, which a project for Node need not have. */
 export interface PageWorker {
   onerror: ((event: never) => unknown) | null;
+  addEventListener(type: 'messageerror', listener: () => void): void;
   postMessage(message: unknown): void;
   terminate(): void;
 }

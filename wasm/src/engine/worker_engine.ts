@@ -11,7 +11,7 @@ import type { Loaded, Port, Reply, Request } from './worker_server.js';
 /** A `Worker`, seen from outside. */
 interface WorkerPort extends Port {
   onerror: ((event: ErrorEvent) => void) | null;
-  onmessageerror: ((event: MessageEvent) => void) | null;
+  addEventListener(type: 'messageerror', listener: () => void): void;
   terminate(): void;
 }
 
@@ -65,8 +65,9 @@ class Connection {
     const stop = (why: string) =>
       this.close(this.#isLoaded ? 'internal' : 'load-failed', `${name} has stopped: ${why}`);
     worker.onerror = ({ message }) => stop(message || 'its script cannot be loaded');
-    // Nobody knows which request it answers. It may be too large for the memory there is.
-    worker.onmessageerror = () => stop('its answer cannot be received');
+    // Nobody knows which request it answers. It may be too large for the memory there is. Chromium has
+    // no `onmessageerror` of workers.
+    worker.addEventListener('messageerror', () => stop('its answer cannot be received'));
   }
 
   async load(sources: EngineSources): Promise<Loaded> {
