@@ -197,6 +197,12 @@ export async function browserForTests(documents, options) {
   return browser;
 }
 
+/** Answers the request of a script with the script, after which a function is called. */
+export async function changedScript(route, change) {
+  const response = await route.fetch();
+  await route.fulfill({ response, body: `${await response.text()}\n(${change})();` });
+}
+
 /** The page with its viewer. */
 export class ViewerPage {
   /** What the console says of errors and warnings, exceptions and violated policies included. */

@@ -7,7 +7,7 @@ import { suite, test } from 'node:test';
 import { unzipSync } from 'fflate';
 import { jsonOf } from '../wasm/files.mjs';
 import { glb, grid, octahedron, torn } from '../wasm/meshes.mjs';
-import { browserForTests, firstTriangles } from './browser.mjs';
+import { browserForTests, changedScript, firstTriangles } from './browser.mjs';
 
 const browser = await browserForTests();
 const viewer = await browser.open();
@@ -331,6 +331,34 @@ suite('files', () => {
     await offline.page.keyboard.press('Escape');
     assert.equal(await error.isVisible(), false, 'Escape closes it');
     await offline.close();
+  });
+
+  test('a file that its worker cannot receive or send is told of in a sentence', async () => {
+    const receivesNone = (page) =>
+      page.route(/encoding_worker/, (route) =>
+        changedScript(route, () => {
+          globalThis.onmessage = () => globalThis.onmessageerror(new MessageEvent('messageerror'));
+        }),
+      );
+    const sendsNone = (page) =>
+      page.addInitScript(() => {
+        window.Worker = class extends Worker {
+          postMessage(message, transfer) {
+            if (message.encoding) this.dispatchEvent(new MessageEvent('messageerror'));
+            else super.postMessage(message, transfer);
+          }
+        };
+      });
+    for (const [prepare, why] of [
+      [receivesNone, 'its worker cannot receive it'],
+      [sendsNone, 'what its worker has made cannot be received'],
+    ]) {
+      const { page } = await browser.open({ prepare });
+      await page.click('#download-button');
+      await page.click('#download-parts-obj');
+      const error = page.locator('#error-text');
+      await error.filter({ hasText: `The file cannot be made: ${why}.` }).waitFor();
+    }
   });
 
   test('menus that could not be fetched come with the next model', async () => {

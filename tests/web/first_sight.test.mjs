@@ -6,7 +6,7 @@ import assert from 'node:assert/strict';
 import { existsSync } from 'node:fs';
 import { suite, test } from 'node:test';
 import { bumpySphere, glb } from '../wasm/meshes.mjs';
-import { assertWorkersAreNotImported, browserForTests } from './browser.mjs';
+import { assertWorkersAreNotImported, browserForTests, changedScript } from './browser.mjs';
 
 const browser = await browserForTests({
   '/framed.html': {
@@ -298,15 +298,26 @@ suite('first sight', () => {
   });
 
   test('where the worker that draws cannot be had, the page makes what it draws', async () => {
-    const viewer = await browser.open({
-      complaint: /ERR_FAILED/,
-      prepare: (page) => page.route(/drawing_worker/, (route) => route.abort()),
-    });
-    assert.equal(await viewer.regionCount(), 60);
-    assert.ok((await viewer.coverage(await viewer.picture())) > 0.15);
-    const place = await viewer.freePlace();
-    await viewer.after('diagram', () => viewer.page.mouse.click(place.x, place.y));
-    assert.equal(await viewer.siteCount(), 61);
+    const withoutMemory = (route) =>
+      changedScript(route, () => {
+        const { onmessage } = globalThis;
+        globalThis.onmessage = (event) => {
+          onmessage(event);
+          const port = event.data;
+          port.onmessage = () => port.dispatchEvent(new MessageEvent('messageerror'));
+        };
+      });
+    for (const answer of [(route) => route.abort(), withoutMemory]) {
+      const viewer = await browser.open({
+        complaint: /ERR_FAILED|a message cannot be received/,
+        prepare: (page) => page.route(/drawing_worker/, answer),
+      });
+      assert.equal(await viewer.regionCount(), 60);
+      assert.ok((await viewer.coverage(await viewer.picture())) > 0.15);
+      const place = await viewer.freePlace();
+      await viewer.after('diagram', () => viewer.page.mouse.click(place.x, place.y));
+      assert.equal(await viewer.siteCount(), 61);
+    }
   });
 
   test('a link brings model, sites and view back; a damaged one is told of', async () => {

@@ -61,9 +61,12 @@ export interface EncodingRequest {
 /** A worker's own scope. It answers with the file, or with why there is none. */
 const scope = globalThis as unknown as {
   onmessage: ((event: MessageEvent<EncodingRequest>) => void) | null;
+  onmessageerror: (() => void) | null;
   postMessage(message: unknown): void;
 };
 
+/** What is written may be too large for the memory there is. */
+scope.onmessageerror = () => scope.postMessage('its worker cannot receive it');
 scope.onmessage = ({ data: { encoding, type } }) => {
   const [name, ...args] = encoding;
   const encode = encoders[name] as (...args: unknown[]) => BlobPart;

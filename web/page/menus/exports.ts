@@ -131,6 +131,9 @@ function encoded(encoding: Encoding, type: string): Promise<Blob> {
     worker.onmessage = ({ data }: MessageEvent<Blob | string>) =>
       typeof data === 'string' ? reject(new Error(data)) : resolve(data);
     worker.onerror = ({ message }) => reject(new Error(message || 'its worker cannot be started'));
+    worker.addEventListener('messageerror', () =>
+      reject(new Error('what its worker has made cannot be received')),
+    );
     const [name, result] = encoding;
     const given = name.startsWith('diagram') ? [] : [...buffersOf(result)];
     worker.postMessage({ encoding, type } satisfies EncodingRequest, given);

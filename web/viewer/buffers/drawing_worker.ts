@@ -62,6 +62,10 @@ globalThis.onmessage = ({ data: port }: MessageEvent<MessagePort>) => {
   const answer = (id: number, result: unknown) =>
     port.postMessage({ id, result } satisfies DrawingAnswer, [...buffersOf(result)]);
 
+  // The other side gets this as an error of the worker; else it would wait for an answer for ever.
+  port.onmessageerror = () => {
+    throw new Error('a message cannot be received');
+  };
   // Most answers are made at once, in the order of the requests.
   port.onmessage = ({ data }: MessageEvent<DrawingRequest<keyof DrawingTasks>>) => {
     const { id, name, args } = data;
