@@ -7,7 +7,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { zipSync } from 'fflate';
-import { findModel, listModels, load } from 'geodesic-voronoi';
+import { findModel, gltfResourceUris, listModels, load } from 'geodesic-voronoi';
 import { decompressed } from '../../dist/input/gltf_decompression.js';
 import { parseGltf } from '../../dist/input/gltf_document.js';
 import { total } from './files.mjs';
@@ -447,6 +447,8 @@ test('a file of several buffers is read once', async () => {
   const { json, buffer } = gltf(octahedron(), { uri: 'shape.bin' });
   const [own] = json.buffers;
   json.buffers.push(own, { ...own, uri: './shape.bin' }, { ...own, uri: 'in/../shape.bin' });
+  const uris = ['shape.bin', './shape.bin', 'in/../shape.bin'];
+  assert.deepEqual(gltfResourceUris(bytesOf(JSON.stringify(json))), uris);
   let read = 0;
   const arrayBuffer = async () => {
     ++read;

@@ -31,7 +31,7 @@ export const dracoExtension = 'KHR_draco_mesh_compression';
 
 /**
  * The files that a glTF's triangles need besides the glTF itself: the URIs of its buffers, as it
- * writes them. Empty if the bytes are no glTF; `mesh()` then says what is wrong.
+ * writes them, each once. Empty if the bytes are no glTF; `mesh()` then says what is wrong.
  */
 export function gltfResourceUris(bytes: Uint8Array): string[] {
   requireBytes('bytes', bytes);
@@ -39,10 +39,12 @@ export function gltfResourceUris(bytes: Uint8Array): string[] {
 }
 
 export function resourceUris({ buffers }: JsonObject): string[] {
-  return objectsOf(buffers)
+  const uris = objectsOf(buffers)
     .filter((buffer) => !isFallback(buffer))
     .map(({ uri }) => uri)
-    .filter((uri): uri is string => typeof uri === 'string' && !/^data:/i.test(uri));
+    .filter((uri) => typeof uri === 'string')
+    .filter((uri) => !/^data:/i.test(uri));
+  return [...new Set(uris)];
 }
 
 /** Whether a buffer is there only for readers that cannot decompress. */
