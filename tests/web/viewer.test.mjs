@@ -13,6 +13,7 @@ import { RegionColours, toneColour } from '../../dist/viewer/buffers/region_colo
 import { sceneArrays } from '../../dist/viewer/buffers/scene_arrays.js';
 import { SceneMesh } from '../../dist/viewer/buffers/scene_mesh.js';
 import { ModelDrawing } from '../../dist/viewer/drawing/model_drawing.js';
+import { setUpAnnouncements } from '../../dist/viewer/element/announcements.js';
 import { DensityPaint, greatestDensity } from '../../dist/viewer/model/density_paint.js';
 import { hexagonEnergy, rootDensityIntegral } from '../../dist/viewer/session/hexagon_energy.js';
 import { LatestTask } from '../../dist/viewer/session/latest_task.js';
@@ -704,6 +705,19 @@ suite('latest task', () => {
     await turn();
     assert.equal(log.at(-1), 'abort c', 'what waits is dropped, too');
   });
+});
+
+test('no area is told while the diagram is of other sites than there are', () => {
+  const element = Object.assign(new EventTarget(), { regionAreas: Float64Array.of(1, 2, 3) });
+  const told = [];
+  setUpAnnouncements(element, (sentence) => told.push(sentence));
+  const emit = (type, detail) => element.dispatchEvent(new CustomEvent(type, { detail }));
+  emit('sites-change', { selected: 1, count: 3 });
+  emit('sites-change', { selected: 1, count: 2 });
+  emit('diagram');
+  element.regionAreas = Float64Array.of(1, 4);
+  emit('diagram');
+  assert.deepEqual(told, ['Site 1 selected, of 3, region of area 2', 'Region of area 4']);
 });
 
 test('a key gives a command of its own, or none', () => {

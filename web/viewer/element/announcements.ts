@@ -35,7 +35,7 @@ export function setUpAnnouncements(
   });
   element.addEventListener('diagram', () => {
     const now = areaNow();
-    if (now === area) return;
+    if (now === undefined || now === area) return;
     if (area === undefined) tellSelection();
     else announce(`Region of area ${(area = now)}`);
   });
