@@ -25,13 +25,13 @@ export class FileSet {
    */
   model(wanted?: string): string {
     if (wanted !== undefined && this.#files.has(wanted)) return wanted;
-    const paths = this.#shown();
+    const paths = this.#visible();
     const models = this.models();
     const archives = paths.filter((path) => archiveName.test(path));
     const isModelGiven = wanted === undefined && models.length > 0;
     const candidates = paths.length === 1 ? paths : isModelGiven ? models : archives;
     if (candidates.length === 1) return candidates[0];
-    if (wanted !== undefined) throw this.without(wanted);
+    if (wanted !== undefined) throw this.missing(wanted);
     if (candidates.length > 1) {
       throw new GeodesicVoronoiError(
         'several-models',
@@ -46,13 +46,12 @@ export class FileSet {
 
   /** The paths of files that are named like models. */
   models(): string[] {
-    return this.#shown().filter((path) => modelName.test(path));
+    return this.#visible().filter((path) => modelName.test(path));
   }
 
   /** The error if the wanted file is not there. */
-  without(wanted: string): GeodesicVoronoiError {
-    const there = listed([...this.#files.keys()].filter((path) => !isHidden(path)));
-    return invalidFile(`there is no ${wanted} in ${there || 'the file'}`);
+  missing(wanted: string): GeodesicVoronoiError {
+    return invalidFile(`there is no ${wanted} in ${listed(this.#visible()) || 'the file'}`);
   }
 
   async read(path: string, { signal }: TaskOptions): Promise<Uint8Array> {
@@ -82,7 +81,8 @@ export class FileSet {
     return place === undefined ? undefined : (this.#paths.get(place) ?? this.#fileNamed(place));
   }
 
-  #shown(): string[] {
+  /** The paths of all but hidden files; a file alone may have any name. */
+  #visible(): string[] {
     const all = [...this.#files.keys()];
     return all.length === 1 ? all : all.filter((path) => !isHidden(path));
   }

@@ -96,7 +96,7 @@ async function modelAmong(
   const file = set.model(wanted);
   const bytes = await set.read(file, task);
   const format = formatOf(bytes, file);
-  if (format !== 'zip' && wanted !== undefined && file !== wanted) throw set.without(wanted);
+  if (format !== 'zip' && wanted !== undefined && file !== wanted) throw set.missing(wanted);
   // Each is read once, and unpacked once: a glTF may have thousands of buffers in one file.
   const contents = new Map<string, Promise<Uint8Array>>();
   const resource = async (uri: string) => {
