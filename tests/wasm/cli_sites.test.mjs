@@ -239,6 +239,12 @@ test('sites from a PLY and a CSV of places', () => {
     write('bad.csv', content);
     fails(1, 'diagram shape.glb --sites bad.csv', message);
   }
+  write('bad.csv', Buffer.from('\ufeffx,y,z\n1,2,3\n', 'utf16le'));
+  fails(
+    1,
+    'diagram shape.glb --sites bad.csv',
+    /bad\.csv: the file is UTF-16 text: save it as UTF-8\n$/,
+  );
   fails(1, 'diagram shape.glb --sites shape.glb', /shape\.glb: it is not text, and of binary fil/);
   write('bad.ply', 'ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nend_header\n1\n2\n');
   fails(1, 'diagram shape.glb --sites bad.ply', /bad\.ply: the PLY's vertices have no y\n$/);

@@ -172,6 +172,11 @@ test('a mesh that cannot be made says why', async () => {
       'invalid-file',
       /none of the formats.*OBJ, OFF, PLY or STL/,
     ],
+    [
+      Buffer.from('\ufeff# UTF-16\nv 0 0 0\nv 12 0 0\nv 0 12 0\nf 1 2 3\n', 'utf16le'),
+      'invalid-file',
+      /is UTF-16 text: save it as UTF-8/,
+    ],
     [glb(octahedron()).subarray(0, 300), 'invalid-gltf'],
   ];
   for (const [source, code, message = /./] of cases) {

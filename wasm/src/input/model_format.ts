@@ -4,6 +4,7 @@
 
 import { invalidFile } from '../api/errors.js';
 import { hasBinaryStl, isBinaryStl } from './stl_layout.js';
+import { requireNoUtf16 } from './text_encoding.js';
 
 export type FileFormat = 'glTF' | 'OBJ' | 'OFF' | 'PLY' | 'binary STL' | 'text STL' | 'zip';
 
@@ -15,6 +16,7 @@ const objStatement = /^(v|vt|vn|vp|f|fo|g|o|s|l|p|mtllib|usemtl|mg|lod|maplib)([
 export function formatOf(bytes: Uint8Array, name: string): FileFormat {
   if (bytes.length === 0) throw invalidFile('the file is empty');
   if (isBinaryStl(bytes)) return 'binary STL';
+  requireNoUtf16(bytes);
   const head = new TextDecoder('latin1').decode(bytes.subarray(0, maxHeadBytes));
   // The mark of UTF-8, as this decoder has it; comments of OFF and OBJ, whatever ends their lines.
   const text = head.replace(/^(ï»¿)?(\s|#[^\r\n]*[\r\n])*/, '');

@@ -7,6 +7,7 @@ import { readCsvPlaces } from './csv_places.js';
 import { parseJson } from './json_members.js';
 import { toSizeLimits } from './limits.js';
 import { readPlyPlaces } from './ply_reader.js';
+import { requireNoUtf16 } from './text_encoding.js';
 
 /** Enough to find the first letter. */
 const headBytes = 2 ** 10;
@@ -16,6 +17,7 @@ const headBytes = 2 ** 10;
  * file. The content tells which it is: pipes have no names that could.
  */
 export async function readPointsFile(bytes: Uint8Array): Promise<unknown> {
+  requireNoUtf16(bytes);
   const head = new TextDecoder().decode(bytes.subarray(0, headBytes));
   if (head.trim() === '') throw new Error('the file is empty');
   if (isJson(head)) return readJson(bytes);
