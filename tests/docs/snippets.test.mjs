@@ -93,10 +93,18 @@ const examples = {
   },
 };
 for (const [name, { args, says }] of Object.entries(examples)) {
-  test(`example ${name}`, () => {
-    // A copy: an example finds its packages where it is run.
-    const copy = join(folder, name);
-    copyFileSync(join(root, 'web/docs/examples', name), copy);
-    assert.match(run(process.execPath, [name, ...args]), says);
-  });
+  test(`example ${name}`, () => assert.match(runExample(name, args), says));
+}
+
+test('two cities divide the Earth, though their regions meet in no Voronoi point', () => {
+  writeFileSync(join(folder, 'two.csv'), 'name,longitude,latitude\nA,0,0\nB,90,0\n');
+  const says =
+    /^city,area,neighbour,distance\nA,2550\d{5},B,1000\d\.\d\nB,2550\d{5},A,1000\d\.\d\n$/;
+  assert.match(runExample('cities.mjs', ['two.csv']), says);
+});
+
+function runExample(name, args) {
+  // A copy: an example finds its packages where it is run.
+  copyFileSync(join(root, 'web/docs/examples', name), join(folder, name));
+  return run(process.execPath, [name, ...args]);
 }

@@ -10,6 +10,7 @@ const [table, output = 'regions.geojson'] = process.argv.slice(2);
 if (!table) throw new Error('usage: node cities.mjs TABLE [OUTPUT]');
 const lines = (await readFile(table, 'utf8')).trim().split('\n').slice(1);
 const cities = lines.map((line) => line.match(/^(.*),([^,]*),([^,]*)$/).slice(1));
+if (cities.length < 2) throw new Error(`${table} has no two cities below its first line`);
 
 const gvd = await load();
 // Any mesh will do, also with relief, whose origin is the centre of the Earth and whose z axis is its own.
@@ -17,7 +18,7 @@ const mesh = await gvd.mesh(globe(6371, 100));
 const places = cities.flatMap(([, longitude, latitude]) => placeOf(longitude, latitude));
 const { face, bary } = await mesh.closestPoints(places);
 const diagram = await mesh.voronoi({ face, bary });
-const { points, voronoiPoints } = diagram.data;
+const { points } = diagram.data;
 const positionOf = (point) => points.position.subarray(3 * point, 3 * point + 3);
 
 const site = (label) => ({ face: face[label], bary: bary.subarray(3 * label, 3 * label + 3) });
@@ -29,11 +30,10 @@ for (const { label, area, neighbours } of diagram.regions)
     console.log(`${names[0]},${area.toFixed()},${names[1]},${length.toFixed(1)}`);
   }
 
-// On a sphere that is a Voronoi point.
-const corners = Array.from(voronoiPoints.point, positionOf);
-const { distance } = await diagram.locate({ position: corners.flatMap((place) => [...place]) });
-const farthest = distance.indexOf(Math.max(...distance));
-const [longitude, latitude] = degreesOf(corners[farthest]).map((angle) => angle.toFixed(2));
+// On a sphere that is a point of an outline; with three cities or more, a Voronoi point.
+const { distance } = await diagram.locate(points);
+const farthest = distance.reduce((best, d, i) => (d > distance[best] ? i : best), 0);
+const [longitude, latitude] = degreesOf(positionOf(farthest)).map((angle) => angle.toFixed(2));
 console.error(`farthest: ${distance[farthest].toFixed(1)} km, at ${longitude}, ${latitude}`);
 
 const features = diagram.regions.map(({ label, area, loops }) => ({
