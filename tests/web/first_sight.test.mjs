@@ -298,19 +298,30 @@ suite('first sight', () => {
   });
 
   test('where the worker that draws cannot be had, the page makes what it draws', async () => {
-    const withoutMemory = (route) =>
-      changedScript(route, () => {
-        const { onmessage } = globalThis;
-        globalThis.onmessage = (event) => {
-          onmessage(event);
-          const port = event.data;
-          port.onmessage = () => port.dispatchEvent(new MessageEvent('messageerror'));
+    const isMissing = (page) => page.route(/drawing_worker/, (route) => route.abort());
+    const receivesNone = (page) =>
+      page.route(/drawing_worker/, (route) =>
+        changedScript(route, () => {
+          const { onmessage } = globalThis;
+          globalThis.onmessage = (event) => {
+            onmessage(event);
+            const port = event.data;
+            port.onmessage = () => port.dispatchEvent(new MessageEvent('messageerror'));
+          };
+        }),
+      );
+    const isSentNone = (page) =>
+      page.addInitScript(() => {
+        const { postMessage } = MessagePort.prototype;
+        MessagePort.prototype.postMessage = function (message, ...transfer) {
+          if (message?.args) throw new DOMException('out of memory', 'DataCloneError');
+          postMessage.call(this, message, ...transfer);
         };
       });
-    for (const answer of [(route) => route.abort(), withoutMemory]) {
+    for (const prepare of [isMissing, receivesNone, isSentNone]) {
       const viewer = await browser.open({
         complaint: /ERR_FAILED|a message cannot be received/,
-        prepare: (page) => page.route(/drawing_worker/, answer),
+        prepare,
       });
       assert.equal(await viewer.regionCount(), 60);
       assert.ok((await viewer.coverage(await viewer.picture())) > 0.15);

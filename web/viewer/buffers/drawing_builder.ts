@@ -40,8 +40,8 @@ export class DrawingBuilder {
 
   /**
    * Asks for a task by its name in `drawing_worker.ts`: 'scene' before others about the mesh. The
-   * result is undefined if the worker has stopped, or cannot load the task's code: the caller has
-   * to make it then, or to say so.
+   * result is undefined if the worker has stopped, cannot load the task's code, or cannot get the
+   * arguments: the caller has to make it then, or to say so.
    */
   ask<Name extends keyof DrawingTasks>(
     name: Name,
@@ -51,8 +51,12 @@ export class DrawingBuilder {
     const id = ++this.#lastId;
     const given = givenAway.has(name) ? [...buffersOf(args)] : [];
     return new Promise((resolve) => {
-      this.#waiting.set(id, resolve);
-      this.#port.postMessage({ id, name, args } satisfies DrawingRequest<Name>, given);
+      try {
+        this.#port.postMessage({ id, name, args } satisfies DrawingRequest<Name>, given);
+        this.#waiting.set(id, resolve);
+      } catch {
+        resolve(undefined); // there is no memory for a copy of the arguments
+      }
     });
   }
 
