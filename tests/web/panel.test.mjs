@@ -358,6 +358,15 @@ suite('the panel', () => {
     assert.equal(await viewer.page.evaluate(() => window.asked.length), 1);
   });
 
+  test('without sites, no code is given: it would need the file of them, which cannot be downloaded', async () => {
+    await viewer.after('diagram', () => click('#clear'));
+    await click('#share-button');
+    await viewer.page.locator('#code', { hasText: /^Without a site/ }).waitFor();
+    assert.equal(await viewer.page.locator('#copy-code').isDisabled(), true);
+    await viewer.page.keyboard.press('Escape');
+    await viewer.after('diagram', () => viewer.evaluate((viewer) => viewer.undo()));
+  });
+
   test('an error or a note takes the place of the caption', async () => {
     const caption = viewer.page.locator('#caption');
     assert.equal(await caption.isVisible(), true);

@@ -34,8 +34,10 @@ export function setUpShare(viewer: GeodesicVoronoiElement): void {
     const address = isSample(name) ? new URL(sampleAddress(name), location.href).href : undefined;
     const known = await origin;
     if (!known || signal.aborted) return;
-    code.textContent = codeOf(viewer, { name, address }, known, chosen());
-    copyCode.disabled = false;
+    code.textContent = viewer.diagram
+      ? codeOf(viewer, { name, address }, known, chosen())
+      : 'Without a site there is no diagram.';
+    copyCode.disabled = !viewer.diagram;
   };
   const chosen = () =>
     menu.querySelector<HTMLInputElement>('input[name="code"]:checked')?.value ?? 'script';
