@@ -161,11 +161,6 @@ void ElementPoints::tellApartInnerPoints(int face, std::span<const Vertex> verti
   }
 }
 
-int ElementPoints::atNode(int element, int node, const Eigen::Vector3d& bary) {
-  if (pointOfNode_[node] < 0) pointOfNode_.add(node, graph_.addNode(complex_.face(element), bary));
-  return pointOfNode_[node];
-}
-
 /// Returns the point of the neighbour element if that has made it already.
 int ElementPoints::makeOnSide(int element, const FaceEnvelope& envelope, const Vertex& v,
                               const Eigen::Vector3d& bary) {

@@ -34,8 +34,13 @@ class ElementPoints {
   void make(int element, const FaceEnvelope& envelope);
   /// A vertex of the envelope given last.
   const PlacedVertex& operator[](int vertex) const { return placed_[vertex]; }
-  /// The point at a node, which lies at `bary` in an element's face.
-  int atNode(int element, int node, const Eigen::Vector3d& bary);
+  /// The point at a node, which lies at `bary` in an element's face. Inlined, because most nodes
+  /// have one already.
+  int atNode(int element, int node, const Eigen::Vector3d& bary) {
+    if (pointOfNode_[node] < 0)
+      pointOfNode_.add(node, graph_.addNode(complex_.face(element), bary));
+    return pointOfNode_[node];
+  }
   /// Merges the points at the ends of a segment within their error bounds, if one of them is
   /// inside.
   void mergeEnds(const FaceEnvelope& envelope, int tail, int tip);

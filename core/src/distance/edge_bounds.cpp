@@ -50,10 +50,10 @@ void EdgeBounds::forgetBound(int vertex) {
   forgotten_.push_back(vertex);
 }
 
-/// The vertices beyond are found by `from`, not by label: if a vertex gets a shorter path of another
-/// label, and the bound of a vertex beyond it rounds to what it was, that one keeps its former
-/// label. Once all are forgotten, the neighbours, and the sites in the faces around, offer bounds
-/// anew.
+/// The vertices beyond are found by `from`, not by label: if a vertex gets a shorter path of
+/// another label, and the bound of a vertex beyond it rounds to what it was, that one keeps its
+/// former label. Once all are forgotten, the neighbours, and the sites in the faces around, offer
+/// bounds anew.
 bool EdgeBounds::forget(long& budget) {
   for (; followed_ < forgotten_.size(); ++followed_) {
     if (budget-- <= 0) return false;
