@@ -138,7 +138,7 @@ export async function buildPage() {
 }
 
 /** Compressed, in kilobytes, of what the page fetches until the first diagram is seen, the model aside. */
-const mostKilobytes = { page: 221, all: 475 };
+const mostKilobytes = { page: 221, all: 476 };
 /** What that is, by the names before Vite's hashes; the scripts that these import come with them. */
 const firstFiles = [
   ...['index', 'main', 'worker', 'worker_server', 'drawing_worker', 'ply_reader'],

@@ -111,6 +111,7 @@ Record infoRecord(const TriangleMesh& mesh) {
   out.add("eulerCharacteristic", topology.eulerCharacteristic);
   out.add("genus", topology.genus);
   out.add("hasOpenSeams", topology.hasOpenSeams);
+  out.add("hasTJunctions", topology.hasTJunctions);
   out.add("area", mesh.area());
   out.add("boundingDiagonal", mesh.boundingDiagonal());
   out.add("repairs", repairsRecord(mesh.repairs()));

@@ -210,6 +210,17 @@ test('the format of bytes without a name is found', async () => {
   }
 });
 
+test('vertices within sides of other triangles are told of', async () => {
+  const positions = [0, 0, 0, 2, 0, 0, 0, 2, 0, 1, 0, 0, 0, -1, 0, 2, -1, 0];
+  const { info } = await gvd.mesh({ positions, indices: [0, 1, 2, 0, 4, 3, 3, 5, 1] });
+  assert.equal(info.hasTJunctions, true);
+  assert.equal(info.hasOpenSeams, false);
+  assert.match(info.notes.at(-1), /T-junctions\): no path leads across/);
+  const joined = await gvd.mesh({ positions, indices: [0, 3, 2, 3, 1, 2, 0, 4, 3, 3, 5, 1] });
+  assert.equal(joined.info.hasTJunctions, false);
+  assert.deepEqual(joined.info.notes, []);
+});
+
 test('vertices are welded within a tolerance, in triangles and in files', async () => {
   const apartByAHair = torn(octahedron(), 1e-6);
   for (const source of [apartByAHair, glb(apartByAHair)]) {

@@ -67,6 +67,11 @@ struct MeshTopology {
   /// an edge. Mostly rounding has made two of one, and `MeshOptions::weld` joins them, so that
   /// paths lead across. Looked for at 4096 boundary vertices at most, evenly spaced.
   bool hasOpenSeams = false;
+  /// Whether boundary vertices lie within boundary edges (T-junctions, as programs that cut solids
+  /// often leave): within 1e-6 of the bounding diagonal, farther from the edge's ends. Nothing
+  /// joins them, so no path leads across. Looked for at all boundary vertices if there are 2048 at
+  /// most; of more, at fewer, evenly spaced.
+  bool hasTJunctions = false;
 };
 
 /// An oriented 2-manifold triangle mesh, with or without boundary, of one or several components:

@@ -43,8 +43,9 @@ constexpr double kNeedle = 1e-5;
 /// Faces per unit: measuring one takes three arctangents.
 constexpr long kMeasuredFaces = 2;
 
-/// Boundary vertices that are no farther apart nearly coincide, as a share of the bounding
-/// diagonal: sixteen times the rounding of coordinates in single precision.
+/// Boundary vertices that are no farther apart nearly coincide, and lie within a boundary edge that
+/// is no farther away, as a share of the bounding diagonal: sixteen times the rounding of
+/// coordinates in single precision.
 constexpr double kSeamWidth = 1e-6;
 
 void requireValid(const MeshOptions& options) {
@@ -163,13 +164,15 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
         forEach(m.faces_, budget, 8, [&](int f) { sumUp(f); }));
   }
 
-  /// The boundary loops, open seams between them, and what follows from their number.
+  /// The boundary loops, what comes close there without being joined, and what follows from the
+  /// number of loops.
   bool findBoundary(long& budget) {
     TriangleMesh& m = mesh_;
     return finding_.run(
         [&] { return fillInSlices(isOnFoundLoop_, m.vertexCount(), '\0', budget); },
         forEach(m.vertexCount(), budget, kQuickRounds, [&](int v) { followLoopFrom(v); }),
-        [&] { sampleBoundary(); }, forItems(boundary_, budget, 4, [&](int h) { lookForSeam(h); }),
+        [&] { sampleBoundary(); }, forItems(boundary_, budget, 4, [&](int v) { lookForSeam(v); }),
+        forItems(boundary_, budget, 4 * kQuickRounds, [&](int v) { return lookForTJunction(v); }),
         [&] { countTopology(); });
   }
 
@@ -317,12 +320,22 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
     }
   }
 
-  void sampleBoundary() {
-    constexpr std::size_t kSamples = 4096;
-    boundarySamples_.emplace(mesh_.positions_, kSeamWidth * mesh_.boundingDiagonal_, kSamples);
-    const std::size_t step = (boundary_.size() + kSamples - 1) / kSamples;
-    for (std::size_t i = 0; i < boundary_.size(); i += step) boundarySamples_->add(boundary_[i]);
+  /// Calls `visit` with boundary vertices, evenly spaced, of which there are at most so many.
+  template <class Visit>
+  void visitBoundary(std::size_t most, Visit visit) const {
+    const std::size_t step = (boundary_.size() + most - 1) / most;
+    for (std::size_t i = 0; i < boundary_.size(); i += step) visit(boundary_[i]);
   }
+
+  void sampleBoundary() {
+    if (boundary_.empty()) return;
+    constexpr std::size_t kSamples = 4096, kMostPairs = std::size_t{1} << 22;
+    boundarySamples_.emplace(mesh_.positions_, seamWidth(), kSamples);
+    visitBoundary(kSamples, [&](int v) { boundarySamples_->add(v); });
+    visitBoundary(kMostPairs / boundary_.size() + 1,
+                  [&](int v) { comparedWithEdges_.push_back(v); });
+  }
+  double seamWidth() const { return kSeamWidth * mesh_.boundingDiagonal_; }
 
   /// Edges that were cut leave vertices at one position; these are no seam.
   void lookForSeam(int v) {
@@ -333,6 +346,23 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
       mesh_.visitNeighbours(v, [&](int neighbour) { isJoined |= neighbour == near; });
       mesh_.topology_.hasOpenSeams |= !isJoined;
     }
+  }
+
+  /// Looks for a vertex within the boundary edge that leaves another one, and not at its ends. That
+  /// of a flat face at the edge is joined to it. Returns how many quick rounds it took.
+  long lookForTJunction(int v) {
+    const int h = mesh_.outgoing(v), apex = mesh_.tip(TriangleMesh::next(h));
+    const Eigen::Vector3d tail = mesh_.position(v), edge = mesh_.position(mesh_.tip(h)) - tail;
+    const double length = edge.norm(), width = seamWidth();
+    const auto isWithin = [&](int other) {
+      const Eigen::Vector3d fromTail = mesh_.position(other) - tail;
+      const double along = fromTail.dot(edge) / length;
+      return other != apex && along > width && along < length - width &&
+             (fromTail - along / length * edge).norm() <= width;
+    };
+    mesh_.topology_.hasTJunctions |=
+        std::any_of(comparedWithEdges_.begin(), comparedWithEdges_.end(), isWithin);
+    return 1 + static_cast<long>(comparedWithEdges_.size());
   }
 
   void countTopology() {
@@ -374,6 +404,7 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   std::vector<char> isOnFoundLoop_;  ///< vertices
   std::vector<int> boundary_;        ///< vertices, along the loops
   std::optional<PointGrid> boundarySamples_;
+  std::vector<int> comparedWithEdges_;  ///< vertices of the boundary
 };
 
 std::unique_ptr<SlicedWork<TriangleMesh>> startMesh(std::vector<double> positions,

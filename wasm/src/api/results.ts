@@ -111,6 +111,11 @@ export interface MeshInfo {
    * an edge. Mostly rounding has made two of one, and `weld` joins them.
    */
   hasOpenSeams: boolean;
+  /**
+   * Whether boundary vertices lie within boundary edges (T-junctions, as programs that cut solids
+   * often leave). Nothing joins them, so no path leads across.
+   */
+  hasTJunctions: boolean;
   /** In the input's units, squared. */
   area: number;
   /** Length of the bounding box's diagonal. */

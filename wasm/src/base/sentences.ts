@@ -45,6 +45,10 @@ const repairTexts: Record<
 export const openSeamsNote =
   'some boundary vertices nearly coincide: welded within 0.0001 % of the diagonal (the option weld, 1e-6), distances would lead across';
 
+/** Of a mesh with T-junctions. */
+export const tJunctionsNote =
+  'some vertices lie within sides of triangles that they are no corners of (T-junctions): no path leads across, unless a program that makes meshes watertight joins them first';
+
 const vertices = (count: number) => counted(count, 'vertex', 'vertices');
 const triangles = (count: number) => counted(count, 'triangle');
 

@@ -17,7 +17,7 @@ import type {
 import { GeodesicVoronoiError } from '../api/errors.js';
 import { type FileInput, type InputModules, type Model, readModel } from '../input/read_model.js';
 import type { DiagramData, MeshInfo, SurfacePoints } from '../api/results.js';
-import { openSeamsNote } from '../base/sentences.js';
+import { openSeamsNote, tJunctionsNote } from '../base/sentences.js';
 import { inSlices, partOf, type SlicedWork } from '../base/slices.js';
 import { subdivided } from './subdivision.js';
 import type { Triangles } from '../base/triangles.js';
@@ -125,7 +125,9 @@ export class LocalEngine implements Engine {
         throw error;
       }
       const { triangles, parts, origin } = model;
-      const notes = [...model.notes, ...(counts.hasOpenSeams ? [openSeamsNote] : [])];
+      const notes = [...model.notes];
+      if (counts.hasOpenSeams) notes.push(openSeamsNote);
+      if (counts.hasTJunctions) notes.push(tJunctionsNote);
       return { handle, info: { ...counts, origin, notes }, parts, triangles };
     } finally {
       core.run('freeMeshArrays', arrays);
