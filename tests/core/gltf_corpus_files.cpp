@@ -125,9 +125,11 @@ void addGlbCases(GltfCases& cases) {
 void addJsonCases(GltfCases& cases) {
   const std::string neither = "this is neither GLB nor glTF JSON";
   cases.refused("empty", "the file is empty", ByteVector());
-  for (const char* text : {"  \n", "[]", "null", "\"glTF\"", "\xFF\xFE{\0}", "<html></html>"}) {
+  for (const char* text : {"  \n", "[]", "null", "\"glTF\"", "<html></html>"}) {
     cases.refused("text: " + std::string(text), neither, bytesOf(text));
   }
+  cases.refused("text in UTF-16", neither, bytesOf("\xFF\xFE{")).librarySentence =
+      "the file is UTF-16 text: save it as UTF-8";
   for (const char* text :
        {"{}", R"({"asset":[]})", R"({"asset":{}})", R"({"asset":{"version":2.0}})",
         R"({"asset":{"version":null}})", R"({"version":"2.0"})"}) {
