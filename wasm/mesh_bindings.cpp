@@ -83,6 +83,7 @@ class ClosestPointLookup final : public PointLookup {
 Record repairsRecord(const MeshRepairs& repairs) {
   Record out;
   out.add("weldedVertices", repairs.weldedVertices);
+  out.add("joinedVertices", repairs.joinedVertices);
   out.add("isolatedVertices", repairs.isolatedVertices);
   out.add("nonFiniteTriangles", repairs.nonFiniteTriangles);
   out.add("degenerateTriangles", repairs.degenerateTriangles);

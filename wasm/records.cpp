@@ -65,7 +65,8 @@ Record voronoiPointsRecord(std::span<const Diagram::VoronoiPoint> voronoiPoints)
 
 std::vector<int> inputFaceLabels(const TriangleMesh& mesh, std::span<const int> faceLabel) {
   std::vector<int> labels(mesh.inputFaceCount(), kDropped);
-  for (int f = 0; f < mesh.faceCount(); ++f) labels[mesh.inputFace(f)] = faceLabel[f];
+  for (int f = 0; f < mesh.faceCount(); ++f)
+    if (!mesh.isJoining(f)) labels[mesh.inputFace(f)] = faceLabel[f];
   return labels;
 }
 

@@ -286,16 +286,10 @@ TEST(Repairs, SplitAVertexWhereASurfaceTouchesItself) {
 
 // --- Options -------------------------------------------------------------------------------------
 
-/// The same shape with every coordinate off by up to `most`.
-Shape jittered(Shape shape, double most, std::uint64_t seed) {
-  shapes::Random random(seed);
-  for (double& x : shape.positions) x += random.uniform(-most, most);
-  return shape;
-}
-
 TEST(Weld, JoinsWhatRoundingHasTornApart) {
   for (const double scale : {1e-30, 1.0, 1e30}) {
-    const Shape torn = shapes::scaled(jittered(shapes::unwelded(shapes::cube()), 1e-7, 1), scale);
+    const Shape torn =
+        shapes::scaled(shapes::jittered(shapes::unwelded(shapes::cube()), 1e-7, 1), scale);
     EXPECT_EQ(torn.mesh().topology().components, 12);
     EXPECT_TRUE(torn.mesh().topology().hasOpenSeams);
     const TriangleMesh mesh = repairedMesh(torn, {.weld = 1e-6});
@@ -340,46 +334,6 @@ TEST(OpenSeams, AreNeitherShortEdgesNorCutEdges) {
   const TriangleMesh moebius = shapes::moebiusStrip(20).mesh();
   EXPECT_GT(moebius.repairs().orientationCuts, 0);
   EXPECT_FALSE(moebius.topology().hasOpenSeams);
-}
-
-/// A square of two triangles above one with a vertex in the middle of the common side, moved by
-/// `gap` away from it.
-TriangleMesh withTJunction(double gap) {
-  Shape shape = shapes::grid(1, 1);
-  const int a = shape.addVertex({0.5, -gap, 0});
-  const int b = shape.addVertex({0, -1, 0}), c = shape.addVertex({1, -1, 0});
-  shape.addTriangle(0, b, a);
-  shape.addTriangle(b, c, a);
-  shape.addTriangle(a, c, 1);
-  return shape.mesh();
-}
-
-TEST(TJunctions, AreFoundWithinRounding) {
-  EXPECT_TRUE(withTJunction(0).topology().hasTJunctions);
-  EXPECT_TRUE(withTJunction(1e-6).topology().hasTJunctions);
-  EXPECT_FALSE(withTJunction(3e-6).topology().hasTJunctions);
-  EXPECT_FALSE(withTJunction(0).topology().hasOpenSeams);
-}
-
-TEST(TJunctions, AreFoundInLongBoundaries) {
-  const auto topologyOf = [](double shift) {
-    const Shape sheet = shapes::grid(3000, 1);
-    const Shape beside = shapes::moved(sheet, {shift / 3000, 1, 0});
-    return shapes::joined(sheet, beside).mesh().topology();
-  };
-  EXPECT_TRUE(topologyOf(0.5).hasTJunctions);
-  EXPECT_FALSE(topologyOf(0).hasTJunctions);  // welded
-}
-
-TEST(TJunctions, AreNeitherSeamsNorCutEdges) {
-  EXPECT_FALSE(jittered(shapes::unwelded(shapes::cube()), 1e-7, 1).mesh().topology().hasTJunctions);
-  const TriangleMesh moebius = shapes::moebiusStrip(20).mesh();
-  EXPECT_FALSE(moebius.topology().hasTJunctions);
-  EXPECT_FALSE(shapes::grid(6, 6).mesh().topology().hasTJunctions);
-  Shape flat =
-      shapes::triangle();  // beside a face without area, whose long side is on the boundary
-  flat.addTriangle(1, 0, flat.addVertex({-1, 0, 0}));
-  EXPECT_FALSE(flat.mesh().topology().hasTJunctions);
 }
 
 TEST(Weld, IsRelativeToTheBoxOfTheTrianglesAlone) {

@@ -491,6 +491,12 @@ Shape scaled(Shape shape, const Vector3d& axes) {
   return shape;
 }
 
+Shape jittered(Shape shape, double most, std::uint64_t seed) {
+  Random random(seed);
+  for (double& x : shape.positions) x += random.uniform(-most, most);
+  return shape;
+}
+
 Shape shuffled(const Shape& shape, std::uint64_t seed) {
   Random random(seed);
   const auto permutation = [&](int count) {

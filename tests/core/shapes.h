@@ -138,6 +138,8 @@ Shape scaled(Shape shape, const Eigen::Vector3d& axes);
 Shape unwelded(const Shape& shape);
 /// Vertices and triangles in random order, corners of each triangle rotated at random.
 Shape shuffled(const Shape& shape, std::uint64_t seed);
+/// With every coordinate off by up to `most`.
+Shape jittered(Shape shape, double most, std::uint64_t seed);
 
 // --- Any of them ---------------------------------------------------------------------------------
 

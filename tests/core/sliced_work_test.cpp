@@ -49,19 +49,13 @@ using checks::inSteps;
 
 bool operator==(const MeshRepairs& a, const MeshRepairs& b) {
   const auto all = [](const MeshRepairs& r) {
-    return std::vector<double>{1.0 * r.weldedVertices,
-                               1.0 * r.isolatedVertices,
-                               1.0 * r.nonFiniteTriangles,
-                               1.0 * r.degenerateTriangles,
-                               1.0 * r.duplicateTriangles,
-                               1.0 * r.nonManifoldEdges,
-                               1.0 * r.orientationCuts,
-                               1.0 * r.flippedTriangles,
-                               1.0 * r.smallComponents,
-                               1.0 * r.splitVertices,
-                               1.0 * r.smallComponentTriangles,
-                               1.0 * r.mollifiedTriangles,
-                               r.mollification};
+    return std::vector<double>{1.0 * r.weldedVertices,      1.0 * r.joinedVertices,
+                               1.0 * r.isolatedVertices,    1.0 * r.nonFiniteTriangles,
+                               1.0 * r.degenerateTriangles, 1.0 * r.duplicateTriangles,
+                               1.0 * r.nonManifoldEdges,    1.0 * r.orientationCuts,
+                               1.0 * r.flippedTriangles,    1.0 * r.smallComponents,
+                               1.0 * r.splitVertices,       1.0 * r.smallComponentTriangles,
+                               1.0 * r.mollifiedTriangles,  r.mollification};
   };
   return all(a) == all(b);
 }

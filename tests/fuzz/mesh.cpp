@@ -16,8 +16,9 @@ void require(bool holds) {
 
 void check(const gvd::TriangleMesh& mesh) {
   const gvd::MeshRepairs& r = mesh.repairs();
-  require(mesh.inputFaceCount() == mesh.faceCount() + r.nonFiniteTriangles + r.degenerateTriangles +
-                                       r.duplicateTriangles + r.smallComponentTriangles);
+  require(mesh.inputFaceCount() + r.joinedVertices ==
+          mesh.faceCount() + r.nonFiniteTriangles + r.degenerateTriangles + r.duplicateTriangles +
+              r.smallComponentTriangles);
   require(mesh.inputVertexCount() ==
           mesh.vertexCount() - r.splitVertices + r.weldedVertices + r.isolatedVertices);
   for (int h = 0; h < mesh.halfedgeCount(); ++h) {

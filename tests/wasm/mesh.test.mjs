@@ -215,10 +215,27 @@ test('vertices within sides of other triangles are told of', async () => {
   const { info } = await gvd.mesh({ positions, indices: [0, 1, 2, 0, 4, 3, 3, 5, 1] });
   assert.equal(info.hasTJunctions, true);
   assert.equal(info.hasOpenSeams, false);
-  assert.match(info.notes.at(-1), /T-junctions\): no path leads across/);
-  const joined = await gvd.mesh({ positions, indices: [0, 3, 2, 3, 1, 2, 0, 4, 3, 3, 5, 1] });
-  assert.equal(joined.info.hasTJunctions, false);
-  assert.deepEqual(joined.info.notes, []);
+  assert.match(info.notes.at(-1), /T-junctions.*the option weld, 1e-6/);
+  const whole = await gvd.mesh({ positions, indices: [0, 3, 2, 3, 1, 2, 0, 4, 3, 3, 5, 1] });
+  assert.equal(whole.info.hasTJunctions, false);
+  assert.deepEqual(whole.info.notes, []);
+});
+
+test('vertices within sides of other triangles are joined to these on request', async () => {
+  const positions = [0, 0, 0, 2, 0, 0, 0, 2, 0, 1, 0, 0, 0, -1, 0, 2, -1, 0];
+  const mesh = await gvd.mesh({ positions, indices: [0, 1, 2, 0, 4, 3, 3, 5, 1] }, { weld: 1e-6 });
+  const { info } = mesh;
+  assert.equal(info.repairs.joinedVertices, 1);
+  assert.equal(info.components, 1);
+  assert.equal(info.hasTJunctions, false);
+  assert.equal(info.inputFaces, 3);
+  assert.equal(info.faces, 4);
+  const { data } = await mesh.voronoi({ vertex: [2, 5] });
+  assert.deepEqual([...data.faceLabel], [-2, -2, 1]);
+  for (const face of data.segments.face) assert.ok(face < 3);
+  const { length, points } = await mesh.path({ vertex: 2 }, { vertex: 4 });
+  near(length, 3, 1e-5);
+  for (const face of points.face) assert.ok(face < 3);
 });
 
 test('vertices are welded within a tolerance, in triangles and in files', async () => {

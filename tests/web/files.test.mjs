@@ -167,14 +167,14 @@ suite('files', () => {
     assert.match(await own.page.locator('#samples').inputValue(), /^mine\.glb /);
   });
 
-  test('welding is offered where triangles have tiny gaps between them', async () => {
+  test('joining is offered where triangles touch without being joined', async () => {
     const components = () => own.evaluate(({ info }) => info.components);
     await own.after('diagram', () => own.choose({ 'torn.glb': glb(torn(octahedron(), 1e-7)) }));
     assert.equal(await components(), 8);
-    await own.after('diagram', () => own.page.getByText('Weld them').click());
+    await own.after('diagram', () => own.page.getByText('Join them').click());
     assert.equal(await components(), 1);
     assert.equal(await own.page.locator('#weld').inputValue(), '1e-6');
-    assert.equal(await own.page.locator('#note').getByText('tiny gaps').isVisible(), false);
+    assert.equal(await own.page.locator('#note').getByText('touch without').isVisible(), false);
   });
 
   test('finer triangles are offered where regions are wrong', async () => {

@@ -36,7 +36,8 @@ struct SubdividedTriangles {
 /// A triangle with one long side becomes two, with two three, with three four. A side is halved in
 /// all of its triangles, at a vertex that they share if they share its ends, and at the same place
 /// if their ends are at the same places, so no cracks appear. (Where ends are only near each other,
-/// for `MeshOptions::weld` to join, rounding may decide differently on the two sides.) Triangles
+/// for `MeshOptions::weld` to join, rounding may decide differently on the two sides. That leaves
+/// T-junctions, which `weld` joins, too.) Triangles
 /// without long sides stay as they are, as do those with a corner that is not finite. No side is
 /// halved that is shorter than 2^-48 of the largest coordinate.
 ///

@@ -25,9 +25,9 @@ enum class Orientation {
 
 /// Options for the repairs that are described at `TriangleMesh`.
 struct MeshOptions {
-  /// The largest distance at which vertices are welded, as a share of the bounding box's diagonal,
-  /// from 0 to 1. Below the rounding of coordinates (2^-52), only vertices at bit-equal positions
-  /// are welded.
+  /// The largest distance at which vertices are welded and T-junctions joined, as a share of the
+  /// bounding box's diagonal, from 0 to 1. Below the rounding of coordinates (2^-52), only vertices
+  /// at bit-equal positions are welded, and no T-junctions joined.
   double weld = 0;
   Orientation orientation = Orientation::kUnify;
   /// Components with fewer triangles than this are dropped; not negative.
@@ -37,10 +37,12 @@ struct MeshOptions {
 /// The repairs that made the input a manifold without flat triangles, as described at
 /// `TriangleMesh`. All counts are zero for a clean mesh. They are complete:
 ///
-///     input triangles = faces + non-finite + degenerate + duplicate + small component
-///     input vertices  = vertices - split + welded + isolated
+///     input triangles + joined vertices = faces + non-finite + degenerate + duplicate
+///                                         + small component
+///     input vertices = vertices - split + welded + isolated
 struct MeshRepairs {
   int weldedVertices = 0;       ///< input vertices merged into an earlier one at their place
+  int joinedVertices = 0;       ///< joined to an edge they lie within, each by a flat triangle
   int isolatedVertices = 0;     ///< input vertices at whose position no kept triangle has a corner
   int nonFiniteTriangles = 0;   ///< dropped: a corner is NaN or infinite
   int degenerateTriangles = 0;  ///< dropped: two corners at one position
@@ -68,9 +70,9 @@ struct MeshTopology {
   /// paths lead across. Looked for at 4096 boundary vertices at most, evenly spaced.
   bool hasOpenSeams = false;
   /// Whether boundary vertices lie within boundary edges (T-junctions, as programs that cut solids
-  /// often leave): within 1e-6 of the bounding diagonal, farther from the edge's ends. Nothing
-  /// joins them, so no path leads across. Looked for at all boundary vertices if there are 2048 at
-  /// most; of more, at fewer, evenly spaced.
+  /// often leave): within 1e-6 of the bounding diagonal, farther from the edge's ends. No path
+  /// leads across, unless `MeshOptions::weld` joins them. Looked for at all boundary vertices if
+  /// there are 2048 at most; of more, at fewer, evenly spaced.
   bool hasTJunctions = false;
 };
 
@@ -94,19 +96,23 @@ struct MeshTopology {
 ///     Triangles with the same three corners as an earlier one, in either orientation, are dropped,
 ///     too. Triangles of zero area with three distinct corners stay, because dropping one would
 ///     tear its neighbours apart;
-///  4. an edge of three or more triangles is cut: each gets a boundary there;
-///  5. each component is oriented like the majority of its triangles (on a draw, like the first);
+///  4. with a tolerance (`weld`), T-junctions are joined: boundary vertices within a boundary edge
+///     of a triangle that they are no corners of, each to the nearest edge within the tolerance.
+///     One flat triangle per vertex fills the room between the edge and the vertices along it, so
+///     the triangles of the input stay as they are;
+///  5. an edge of three or more triangles is cut: each gets a boundary there;
+///  6. each component is oriented like the majority of its triangles (on a draw, like the first);
 ///     an edge whose triangles cannot agree (non-orientable surface) is cut. With
 ///     `Orientation::kKeep` no triangle is turned over, and every edge whose triangles disagree is
 ///     cut;
-///  6. where an edge was cut in step 4, the triangles of a component are joined again if there are
+///  7. where an edge was cut in step 5, the triangles of a component are joined again if there are
 ///     just two and they agree in orientation: cutting and stitching (Guéziec et al. 2001,
 ///     "Cutting and Stitching: Converting Sets of Polygons to Manifold Surfaces"). So solids that
 ///     touch along an edge stay closed, and a surface with a fin on it stays whole;
-///  7. components of fewer than `minComponent` triangles are dropped;
-///  8. a vertex whose triangles form several fans is split, one vertex per fan: no path passes
+///  8. components of fewer than `minComponent` triangles are dropped;
+///  9. a vertex whose triangles form several fans is split, one vertex per fan: no path passes
 ///     through it;
-///  9. if a triangle is flat (two sides hardly longer than the third) or tiny, all edges are
+/// 10. if a triangle is flat (two sides hardly longer than the third) or tiny, all edges are
 ///     lengthened by one amount, the least for which in every triangle two sides exceed the third
 ///     by 1e-11 of the mean edge, or of the triangle's longest side where that is longer: intrinsic
 ///     mollification (Sharp & Crane 2020, "A Laplacian for Nonmanifold Triangle Meshes", section
@@ -114,13 +120,14 @@ struct MeshTopology {
 ///     faces.
 ///
 /// Lengths, angles and areas are those of the *intrinsic* surface, which is made of triangles with
-/// these edge lengths. They are the positions' own, to the last bits, unless step 9 was needed:
+/// these edge lengths. They are the positions' own, to the last bits, unless step 10 was needed:
 /// then each edge is longer by at most 1e-11 of the longest, and no distance is shorter. But a flat
 /// triangle whose longest side is a mean edge gets a height of about 2e-6 of that side (the square
 /// root of half the margin), and distances across it grow by that height. Positions are never
 /// moved, except that a welded vertex takes the position of the vertex it was welded into.
 ///
-/// Faces and vertices keep the order of the input; copies of split vertices come last. A clean mesh
+/// Faces and vertices keep the order of the input; copies of split vertices come last, and so do
+/// the faces that join T-junctions. A clean mesh
 /// keeps all its indices. Where an edge was cut, two boundary edges may have the same two ends.
 class TriangleMesh {
  public:
@@ -231,10 +238,14 @@ class TriangleMesh {
   /// The length of the bounding box's diagonal, of positions.
   double boundingDiagonal() const { return boundingDiagonal_; }
 
-  /// The input triangle a face was made from, and whether it was turned over (corners 1 and 2
-  /// swapped).
-  int inputFace(int f) const { return inputFace_[f]; }
+  /// The input triangle a face was made from, or along whose side it joins a T-junction; and
+  /// whether it was turned over (corners 1 and 2 swapped).
+  int inputFace(int f) const {
+    return isJoining(f) ? joining_[inputFace_[f] - inputFaceCount_].triangle : inputFace_[f];
+  }
   bool isFlipped(int f) const { return flipped_[f]; }
+  /// Whether a face joins a T-junction and is no triangle of the input.
+  bool isJoining(int f) const { return inputFace_[f] >= inputFaceCount_; }
   /// The first input vertex at the place of v.
   int inputVertex(int v) const { return inputVertex_[v]; }
   int inputFaceCount() const { return inputFaceCount_; }
@@ -245,7 +256,8 @@ class TriangleMesh {
   /// `Error(kInvalidPoint)` with this text if they are off by more.
   std::string faultOfPoint(const SurfacePoint& p) const;
 
-  /// A point of this mesh in terms of the input's triangles; face -1 stays -1. O(1).
+  /// A point of this mesh in terms of the input's triangles; face -1 stays -1. A point on a face
+  /// that joins a T-junction is given on the side that the face continues. O(1).
   SurfacePoint toInput(const SurfacePoint& p) const;
   /// A point given by an input triangle, in terms of this mesh. A point on a dropped triangle is
   /// found on the edge or vertex of a kept one. Barycentric coordinates may be off by up to 1e-6
@@ -272,6 +284,13 @@ class TriangleMesh {
   TriangleMesh() = default;
   std::array<int, 3> halfedgesOfInput(int triangle) const;
 
+  /// Where a face that joins a T-junction is in the input: the columns are the barycentric
+  /// coordinates of its corners.
+  struct Joining {
+    int triangle;
+    Eigen::Matrix3d corners;
+  };
+
   std::vector<double> positions_;
   std::vector<Face> faces_;
   std::vector<int> fanBegin_, fanHalfedges_;  ///< fan after fan, and where each begins
@@ -280,7 +299,9 @@ class TriangleMesh {
   double area_ = 0, meanEdgeLength_ = 0, shortEdgeLength_ = 0, boundingDiagonal_ = 0;
   std::vector<int> component_;
   std::vector<int> boundaryLoops_;
-  std::vector<int> inputFace_, inputVertex_;  ///< `inputFace_` is ascending
+  /// `inputFace_` is ascending. From `inputFaceCount_` on, it counts the entries of `joining_`.
+  std::vector<int> inputFace_, inputVertex_;
+  std::vector<Joining> joining_;
   std::vector<char> flipped_;
   int inputFaceCount_ = 0;
   /// The dropped triangles of the input, ascending: a face that has the places of their corners, or

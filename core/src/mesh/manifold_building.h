@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Steps 4 to 8 of building a `TriangleMesh`, in slices: from the kept triangles to an oriented
+// Steps 5 to 9 of building a `TriangleMesh`, in slices: from the kept triangles to an oriented
 // manifold. O(n), except O(k log k) at a vertex of k triangles.
 #pragma once
 

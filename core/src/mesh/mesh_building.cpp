@@ -17,12 +17,13 @@
 #include "gvd/sliced_work.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
+#include "mesh/boundary_gaps.h"
 #include "mesh/genus.h"
 #include "mesh/given_triangles.h"
 #include "mesh/input_map.h"
 #include "mesh/manifold_building.h"
 #include "mesh/mollification.h"
-#include "mesh/point_grid.h"
+#include "mesh/t_junctions.h"
 #include "mesh/triangle_selection.h"
 #include "mesh/vertex_welding.h"
 
@@ -42,11 +43,6 @@ constexpr double kNeedle = 1e-5;
 
 /// Faces per unit: measuring one takes three arctangents.
 constexpr long kMeasuredFaces = 2;
-
-/// Boundary vertices that are no farther apart nearly coincide, and lie within a boundary edge that
-/// is no farther away, as a share of the bounding diagonal: sixteen times the rounding of
-/// coordinates in single precision.
-constexpr double kSeamWidth = 1e-6;
 
 void requireValid(const MeshOptions& options) {
   if (!(options.weld >= 0 && options.weld <= 1))
@@ -83,20 +79,20 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   TriangleMesh result() override { return std::move(mesh_); }
 
  private:
-  /// Steps 1 to 8 at `TriangleMesh`, and the map from the input.
+  /// Steps 1 to 9 at `TriangleMesh`, and the map from the input.
   bool makeManifold(long& budget) {
     TriangleMesh& m = mesh_;
     return making_.run(
         forEach(triangles_.size() / 3, budget, kQuickRounds,
                 [&](int t) { requireVertices(triangles_, t, inputVertexCount()); }),
         [&] { return runPart(welding_, budget, positions_, triangles_, options_.weld); },
-        [&] { representative_ = taken(welding_); },
-        [&] { return runPart(selecting_, budget, welded(), inputVertexCount(), m.repairs_); },
-        [&] { selection_ = taken(selecting_); },
         [&] {
-          return runPart(matching_, budget, selection_.faces, inputVertexCount(), m.repairs_);
+          weldTolerance_ = welding_->tolerance();
+          representative_ = taken(welding_);
+          m.inputFaceCount_ = static_cast<int>(triangles_.size() / 3);
         },
-        [&] { cut_ = taken(matching_); },
+        [&] { return selectTriangles(budget); },
+        [&] { return weldTolerance_ == 0 || joinTJunctions(budget); },
         [&] {
           return runPart(orienting_, budget, selection_.faces, options_.orientation, m.repairs_);
         },
@@ -115,6 +111,23 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
         [&] { return runPart(mapping_, budget, welded(), selection_, m); }, [&] { takeFaces(); },
         [&] { return runPart(splitting_, budget, m.faces_, inputVertexCount(), m.repairs_); },
         [&] { fans_ = taken(splitting_); });
+  }
+
+  bool selectTriangles(long& budget) {
+    MeshRepairs& repairs = mesh_.repairs_;
+    return selectingRound_.runRound(
+        [&] { return runPart(selecting_, budget, welded(), inputVertexCount(), repairs); },
+        [&] { selection_ = taken(selecting_); },
+        [&] { return runPart(matching_, budget, selection_.faces, inputVertexCount(), repairs); },
+        [&] { cut_ = taken(matching_); });
+  }
+
+  /// Appends flat triangles to those of the input, and selects again.
+  bool joinTJunctions(long& budget) {
+    return joining_.run(
+        [&] { return runPart(filling_, budget, positions_, selection_.faces, weldTolerance_); },
+        [&] { appendFlat(taken(filling_)); },
+        [&] { return mesh_.joining_.empty() || selectTriangles(budget); });
   }
 
   /// The halfedges and the position of each vertex.
@@ -139,7 +152,7 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
         });
   }
 
-  /// Lengths, angles and areas, with step 9 at `TriangleMesh`.
+  /// Lengths, angles and areas, with step 10 at `TriangleMesh`.
   bool measure(long& budget) {
     TriangleMesh& m = mesh_;
     return measuring_.run(
@@ -171,17 +184,26 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
     return finding_.run(
         [&] { return fillInSlices(isOnFoundLoop_, m.vertexCount(), '\0', budget); },
         forEach(m.vertexCount(), budget, kQuickRounds, [&](int v) { followLoopFrom(v); }),
-        [&] { sampleBoundary(); }, forItems(boundary_, budget, 4, [&](int v) { lookForSeam(v); }),
-        forItems(boundary_, budget, 4 * kQuickRounds, [&](int v) { return lookForTJunction(v); }),
+        [&] { return runPart(gaps_, budget, m, m.positions_, boundary_, m.topology_); },
         [&] { countTopology(); });
   }
 
   // --- The manifold ------------------------------------------------------------------------------
 
+  void appendFlat(const std::vector<FlatTriangle>& flat) {
+    if (flat.empty()) return;
+    for (const FlatTriangle& triangle : flat) {
+      triangles_.insert(triangles_.end(), triangle.vertices.begin(), triangle.vertices.end());
+      mesh_.joining_.push_back({selection_.input[triangle.beside], triangle.corners});
+    }
+    requireTriples(positions_.size(), triangles_.size());
+    mesh_.repairs_ = {};
+    mesh_.repairs_.joinedVertices = static_cast<int>(flat.size());
+  }
+
   /// The faces and their input triangles become the mesh's; the input is not needed any more.
   void takeFaces() {
     mapping_.reset();
-    mesh_.inputFaceCount_ = static_cast<int>(triangles_.size() / 3);
     release(triangles_);
     release(representative_);
     mesh_.inputFace_ = std::move(selection_.input);
@@ -320,51 +342,6 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
     }
   }
 
-  /// Calls `visit` with boundary vertices, evenly spaced, of which there are at most so many.
-  template <class Visit>
-  void visitBoundary(std::size_t most, Visit visit) const {
-    const std::size_t step = (boundary_.size() + most - 1) / most;
-    for (std::size_t i = 0; i < boundary_.size(); i += step) visit(boundary_[i]);
-  }
-
-  void sampleBoundary() {
-    if (boundary_.empty()) return;
-    constexpr std::size_t kSamples = 4096, kMostPairs = std::size_t{1} << 22;
-    boundarySamples_.emplace(mesh_.positions_, seamWidth(), kSamples);
-    visitBoundary(kSamples, [&](int v) { boundarySamples_->add(v); });
-    visitBoundary(kMostPairs / boundary_.size() + 1,
-                  [&](int v) { comparedWithEdges_.push_back(v); });
-  }
-  double seamWidth() const { return kSeamWidth * mesh_.boundingDiagonal_; }
-
-  /// Edges that were cut leave vertices at one position; these are no seam.
-  void lookForSeam(int v) {
-    if (mesh_.topology_.hasOpenSeams) return;
-    for (const int near : boundarySamples_->near(mesh_.position(v))) {
-      if (mesh_.position(near) == mesh_.position(v)) continue;
-      bool isJoined = false;
-      mesh_.visitNeighbours(v, [&](int neighbour) { isJoined |= neighbour == near; });
-      mesh_.topology_.hasOpenSeams |= !isJoined;
-    }
-  }
-
-  /// Looks for a vertex within the boundary edge that leaves another one, and not at its ends. That
-  /// of a flat face at the edge is joined to it. Returns how many quick rounds it took.
-  long lookForTJunction(int v) {
-    const int h = mesh_.outgoing(v), apex = mesh_.tip(TriangleMesh::next(h));
-    const Eigen::Vector3d tail = mesh_.position(v), edge = mesh_.position(mesh_.tip(h)) - tail;
-    const double length = edge.norm(), width = seamWidth();
-    const auto isWithin = [&](int other) {
-      const Eigen::Vector3d fromTail = mesh_.position(other) - tail;
-      const double along = fromTail.dot(edge) / length;
-      return other != apex && along > width && along < length - width &&
-             (fromTail - along / length * edge).norm() <= width;
-    };
-    mesh_.topology_.hasTJunctions |=
-        std::any_of(comparedWithEdges_.begin(), comparedWithEdges_.end(), isWithin);
-    return 1 + static_cast<long>(comparedWithEdges_.size());
-  }
-
   void countTopology() {
     const int boundaryEdges = static_cast<int>(boundary_.size());  // each vertex begins one
     MeshTopology& topology = mesh_.topology_;
@@ -385,12 +362,15 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   TriangleMesh mesh_;
 
   SlicedSequence making_, placing_, measuring_, finding_;  ///< the stages
+  SlicedSequence selectingRound_, joining_;
   std::optional<VertexWelding> welding_;
+  double weldTolerance_ = 0;
   std::vector<int> representative_;
   std::optional<TriangleSelection> selecting_;
   Selection selection_;
   std::optional<HalfedgeMatching> matching_;
   NonManifoldEdges cut_;
+  std::optional<TJunctionFilling> filling_;
   std::optional<TriangleOrienting> orienting_;
   OrientedComponents oriented_;
   std::optional<SmallComponents> dropping_;
@@ -403,8 +383,7 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   std::vector<std::pair<int, double>> maybeFlat_;
   std::vector<char> isOnFoundLoop_;  ///< vertices
   std::vector<int> boundary_;        ///< vertices, along the loops
-  std::optional<PointGrid> boundarySamples_;
-  std::vector<int> comparedWithEdges_;  ///< vertices of the boundary
+  std::optional<BoundaryGaps> gaps_;
 };
 
 std::unique_ptr<SlicedWork<TriangleMesh>> startMesh(std::vector<double> positions,

@@ -43,8 +43,10 @@ Eigen::Vector3d TriangleMesh::position(const SurfacePoint& p) const {
 
 SurfacePoint TriangleMesh::toInput(const SurfacePoint& p) const {
   if (p.face < 0) return p;
-  SurfacePoint input{inputFace_[p.face], p.bary};
+  SurfacePoint input{inputFace(p.face), p.bary};
   if (isFlipped(p.face)) std::swap(input.bary[1], input.bary[2]);
+  if (isJoining(p.face))
+    input.bary = joining_[inputFace_[p.face] - inputFaceCount_].corners * input.bary;
   return input;
 }
 

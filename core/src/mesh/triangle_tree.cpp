@@ -95,8 +95,10 @@ void TriangleTree::findPivot(int first, int count) {
   pivot_ = *middle;
 }
 
-NearestOfTriangles TriangleTree::nearest(const Eigen::Vector3d& p) const {
+NearestOfTriangles TriangleTree::nearest(const Eigen::Vector3d& p, double below,
+                                         const std::function<bool(int)>& isSought) const {
   NearestOfTriangles nearest;
+  nearest.squaredDistance = below * below;
   const auto toBox = [&](int node) { return nodes_[node].box.squaredExteriorDistance(p); };
   std::vector<std::pair<double, int>> open;
   if (!nodes_.empty()) open.emplace_back(toBox(0), 0);
@@ -107,6 +109,7 @@ NearestOfTriangles TriangleTree::nearest(const Eigen::Vector3d& p) const {
     const Node& node = nodes_[index];
     if (node.second < 0) {
       for (int i = node.first; i < node.last; ++i) {
+        if (isSought && !isSought(order_[i])) continue;
         const NearestPoint here = nearestOnTriangle(p, triangles_[order_[i]]);
         if (here.squaredDistance < nearest.squaredDistance ||
             (here.squaredDistance == nearest.squaredDistance && order_[i] < nearest.triangle))

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <functional>
+#include <limits>
 #include <vector>
 
 #include "base/sliced_loop.h"
@@ -24,9 +26,12 @@ class TriangleTree {
   /// All triangles, in the order given.
   const std::vector<SpaceTriangle>& triangles() const { return triangles_; }
 
-  /// Of triangles at exactly the same distance, the first. None if no squared distance is a finite
-  /// number.
-  NearestOfTriangles nearest(const Eigen::Vector3d& p) const;
+  /// The nearest of the triangles that `isSought` is true for, or of all if it is empty. Of
+  /// triangles at exactly the same distance, the first. None if no distance is less than `below`,
+  /// or no squared distance is a finite number.
+  NearestOfTriangles nearest(const Eigen::Vector3d& p,
+                             double below = std::numeric_limits<double>::infinity(),
+                             const std::function<bool(int)>& isSought = {}) const;
 
  private:
   /// Contains the triangles `first` … `last - 1` of `order_`. Its children, if it has any, are the

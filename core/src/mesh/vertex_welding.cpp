@@ -53,8 +53,9 @@ void VertexWelding::weldGroup(std::span<int> vertices) {
 void VertexWelding::openGrid() {
   const double tolerance = weld_ * box_.diagonal().norm();
   constexpr double kRounding = std::numeric_limits<double>::epsilon();
-  if (weld_ >= kRounding && tolerance > 0 && std::isfinite(tolerance))
-    keptVertices_.emplace(positions_, tolerance, positions_.size() / 3);
+  if (!(weld_ >= kRounding && tolerance > 0 && std::isfinite(tolerance))) return;
+  tolerance_ = tolerance;
+  keptVertices_.emplace(positions_, tolerance, positions_.size() / 3);
 }
 
 void VertexWelding::weldToNear(int v) {

@@ -28,6 +28,8 @@ class VertexWelding {
       : positions_(positions), triangles_(triangles), weld_(weld) {}
   bool step(long& budget);
   std::vector<int> take() { return std::move(representative_); }
+  /// A length; 0 for bit-equal positions only. To be called when all steps are done.
+  double tolerance() const { return tolerance_; }
 
  private:
   int placeGroup(int v) const;
@@ -41,8 +43,9 @@ class VertexWelding {
 
   SlicedSequence sequence_;
   std::vector<int> representative_;
-  Grouping places_;                        ///< vertices, grouped by a hash of their positions
-  Eigen::AlignedBox3d box_;                ///< of all triangles
+  Grouping places_;          ///< vertices, grouped by a hash of their positions
+  Eigen::AlignedBox3d box_;  ///< of all triangles
+  double tolerance_ = 0;
   std::optional<PointGrid> keptVertices_;  ///< the representatives, if there is a tolerance
 };
 

@@ -168,8 +168,9 @@ export interface MeshOptions extends TaskOptions {
    */
   maxEdge?: number | undefined;
   /**
-   * Vertices no farther apart than this are welded; a share of the bounding box's diagonal, 0 … 1.
-   * Default 0: only vertices at the same position.
+   * Vertices no farther apart than this are welded, and boundary vertices as near to the side of
+   * another triangle joined to it (T-junctions); a share of the bounding box's diagonal, 0 … 1.
+   * Default 0: only vertices at the same position are welded.
    */
   weld?: number | undefined;
   /** Default 'unify'. */

@@ -54,13 +54,15 @@ export type ClosestPoints = PlacedPoints & {
 /**
  * What the mesh builder did to make a manifold of the input, and to give every triangle a height;
  * all zero for a clean mesh. In this order: triangles with a corner that is not finite are dropped,
- * vertices are welded, degenerate and duplicate triangles dropped, edges of three or more triangles
- * cut, components oriented and closed again along these edges, small ones dropped, and vertices of
+ * vertices are welded, degenerate and duplicate triangles dropped, T-junctions joined, edges of three
+ * or more triangles cut, components oriented and closed again along these edges, small ones dropped, and vertices of
  * several fans split.
  */
 export interface MeshRepairs {
   /** Vertices merged into an earlier one at their place. */
   weldedVertices: number;
+  /** Vertices joined to a side that they lie within, each by a flat triangle (T-junctions). */
+  joinedVertices: number;
   /** Vertices at whose place no kept triangle has a corner. */
   isolatedVertices: number;
   /** Dropped: a corner is NaN or infinite. */
@@ -113,7 +115,7 @@ export interface MeshInfo {
   hasOpenSeams: boolean;
   /**
    * Whether boundary vertices lie within boundary edges (T-junctions, as programs that cut solids
-   * often leave). Nothing joins them, so no path leads across.
+   * often leave). No path leads across, unless `weld` joins them.
    */
   hasTJunctions: boolean;
   /** In the input's units, squared. */

@@ -23,6 +23,8 @@ const repairTexts: Record<
   (count: number, mollification: string) => string
 > = {
   weldedVertices: (n) => `${vertices(n)} welded to ${n === 1 ? 'an earlier one' : 'earlier ones'}`,
+  joinedVertices: (n) =>
+    `${vertices(n)} joined to ${n === 1 ? 'a side that it lies' : 'sides that they lie'} within, by ${n === 1 ? 'a flat triangle' : 'flat triangles'}`,
   isolatedVertices: (n) => `${vertices(n)} without a triangle`,
   nonFiniteTriangles: (n) =>
     `${triangles(n)} with a corner that is not finite, dropped: the surface may have a hole there`,
@@ -47,7 +49,7 @@ export const openSeamsNote =
 
 /** Of a mesh with T-junctions. */
 export const tJunctionsNote =
-  'some vertices lie within sides of triangles that they are no corners of (T-junctions): no path leads across, unless a program that makes meshes watertight joins them first';
+  'some vertices lie within sides of triangles that they are no corners of (T-junctions): joined within 0.0001 % of the diagonal (the option weld, 1e-6), paths would lead across';
 
 const vertices = (count: number) => counted(count, 'vertex', 'vertices');
 const triangles = (count: number) => counted(count, 'triangle');

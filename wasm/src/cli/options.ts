@@ -186,7 +186,7 @@ export const options = {
     value: 'SHARE',
     parse: number(rules.weld),
     default: String(meshDefaults.weld),
-    help: "Weld vertices no farther apart than this share of the bounding box's diagonal",
+    help: "Weld vertices no farther apart than this share of the bounding box's diagonal, and join those as near to a side",
   },
   orientation: {
     value: 'RULE',

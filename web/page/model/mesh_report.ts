@@ -34,7 +34,8 @@ export function setUpMeshReport(viewer: GeodesicVoronoiElement): void {
 }
 
 /** Notes the most important one of what a reader should know of a mesh, if there is any. */
-function noteOn({ faces, repairs, hasOpenSeams }: MeshInfo, weld: () => void): void {
+function noteOn(info: MeshInfo, weld: () => void): void {
+  const { faces, repairs, hasOpenSeams, hasTJunctions } = info;
   const bytes = faces * bytesPerFace;
   const cuts = repairs.orientationCuts + repairs.nonManifoldEdges;
   if (bytes > bytesThatFit) {
@@ -42,11 +43,11 @@ function noteOn({ faces, repairs, hasOpenSeams }: MeshInfo, weld: () => void): v
       `This model has ${integer(faces)} triangles, which take about ` +
         `${(bytes / 1e9).toFixed(1)} GB of memory: a coarser model is safer.`,
     );
-  } else if (hasOpenSeams) {
-    showNote(
-      'Some triangles of this model have tiny gaps between them: distances lead around these.',
-      { title: 'Weld them', act: weld },
-    );
+  } else if (hasOpenSeams || hasTJunctions) {
+    showNote('Some triangles of this model touch without being joined: no path leads across.', {
+      title: 'Join them',
+      act: weld,
+    });
   } else if (cuts > 0) {
     showNote(
       `This model is cut apart at ${counted(cuts, 'edge')} where its triangles do not fit ` +
