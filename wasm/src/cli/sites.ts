@@ -80,7 +80,8 @@ export async function openWithSites(
   const given = typeof values.sites === 'string' ? await readPoints(values.sites) : undefined;
   const mesh = await openMesh(path, output, values);
   const sites = given ? await onSurface(mesh, given, values) : await sampled(mesh, values, density);
-  writeNotes([...meshNotes(mesh), ...(addsSites ? [] : await bareNotes(mesh, sites))], values);
+  const bare = addsSites ? [] : await bareNotes(mesh, sites, given === undefined);
+  writeNotes([...meshNotes(mesh), ...bare], values);
   return { mesh, sites };
 }
 
@@ -169,14 +170,16 @@ export function meshNotes({ info: { notes, repairs } }: Mesh): string[] {
   return [...notes, ...repairSentences(told)];
 }
 
-/** Notes the components that no site is on, if there are any, and options that put one on each. */
-async function bareNotes(mesh: Mesh, sites: SurfacePoints): Promise<string[]> {
+/** Notes the components that no site is on, if there are any, and options that leave none. */
+async function bareNotes(mesh: Mesh, sites: SurfacePoints, areSampled: boolean): Promise<string[]> {
   const { components, area } = mesh.info;
   const bare = await mesh.bareComponents(sites);
   if (bare.components === 0) return [];
   const share = Number(((100 * bare.area) / area).toPrecision(2));
+  const enough = Math.max(sites.face.length, components);
+  const sampling = `--sites ${enough} --per-component 1 samples one on each, `;
   return [
     `${bare.components} of ${components} components, ${share} % of the area, have no site ` +
-      `(--sites ${Math.max(sites.face.length, components)} --per-component 1 samples one on each, --min-component drops small ones)`,
+      `(${areSampled ? sampling : ''}--min-component drops small ones)`,
   ];
 }
