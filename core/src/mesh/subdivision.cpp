@@ -79,10 +79,6 @@ class Subdivision final : public SequentialWork<SubdividedTriangles> {
 
   int vertexCount() const { return static_cast<int>(out_.positions.size() / 3); }
   Vector3d place(int v) const { return positionOf(out_.positions, v); }
-  bool isLong(const Corner& a, const Corner& b) const {
-    const double length = (b.place - a.place).norm();
-    return length > longest_ && std::isfinite(length);
-  }
 
   /// Counts the parts of all triangles, or makes them once there is room.
   bool splitAll(long& budget) {
@@ -110,10 +106,15 @@ class Subdivision final : public SequentialWork<SubdividedTriangles> {
     return {Corner{place(v[0]), v[0]}, Corner{place(v[1]), v[1]}, Corner{place(v[2]), v[2]}};
   }
 
-  /// Replaces a part that has long sides by smaller ones; false if it has none.
+  /// Replaces a part that has long sides by smaller ones; false if it has none, or a corner is not
+  /// finite.
   bool split(const Part& part) {
     std::array<bool, 3> isSplit;
-    for (int i = 0; i < 3; ++i) isSplit[i] = isLong(part[i], part[cornerAfter(i)]);
+    for (int i = 0; i < 3; ++i) {
+      const double length = (part[cornerAfter(i)].place - part[i].place).norm();
+      if (!std::isfinite(length)) return false;
+      isSplit[i] = length > longest_;
+    }
     const int splits = isSplit[0] + isSplit[1] + isSplit[2];
     if (splits == 0) return false;
     // Side i is the only long one, or the only short one.
