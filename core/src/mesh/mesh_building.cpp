@@ -160,8 +160,7 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
         [&] { requireExtent(); },
         forEach(m.faces_, budget, kMeasuredFaces, [&](int f) { measureFace(f); }),
         [&] { requireEdgeLength(); },
-        forEach(maybeFlat_, budget, kQuickRounds,
-                [&](int i) { noteFlatness(maybeFlat_[i].first, maybeFlat_[i].second); }),
+        forItems(maybeFlat_, budget, kMeasuredFaces, [&](int f) { noteFlatness(f); }),
         [&](SlicedLoop& loop) {
           return m.repairs_.mollification == 0 ||
                  loop.run(m.faceCount(), budget, kMeasuredFaces, [&](int f) {
@@ -210,6 +209,8 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
     mesh_.faces_ = std::move(selection_.faces);
     selection_ = {};
     mesh_.flipped_ = std::move(oriented_.flipped);
+    mesh_.repairs_.flippedTriangles =
+        static_cast<int>(std::count(mesh_.flipped_.begin(), mesh_.flipped_.end(), true));
     mesh_.component_ = std::move(oriented_.component);
   }
 
@@ -217,9 +218,6 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
     mesh_.inputVertex_ = std::move(fans_.representative);
     mesh_.fanBegin_.reserve(mesh_.inputVertex_.size() + 1);
     mesh_.fanBegin_.push_back(0);
-    firstCopy_ = mesh_.vertexCount() - mesh_.repairs_.splitVertices;
-    mesh_.repairs_.flippedTriangles =
-        static_cast<int>(std::count(mesh_.flipped_.begin(), mesh_.flipped_.end(), true));
   }
 
   /// Appends the halfedges that leave a vertex. Vertices come in order.
@@ -238,10 +236,11 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   /// already.
   void takePosition(int vertex) {
     const auto at = [&](int v) { return positions_.begin() + 3 * static_cast<std::ptrdiff_t>(v); };
+    const int firstCopy = mesh_.vertexCount() - mesh_.repairs_.splitVertices;
     int from = mesh_.inputVertex_[vertex];
-    if (vertex >= firstCopy_) {
+    if (vertex >= firstCopy) {
       const auto begin = mesh_.inputVertex_.begin();
-      from = static_cast<int>(std::lower_bound(begin, begin + firstCopy_, from) - begin);
+      from = static_cast<int>(std::lower_bound(begin, begin + firstCopy, from) - begin);
     }
     std::copy(at(from), at(from + 1), at(vertex));
   }
@@ -287,18 +286,16 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   void measureFace(int face) {
     const IntrinsicTriangle t = triangle(face);
     setFace(face, t);
-    const double longest = std::max({t.lengths[0], t.lengths[1], t.lengths[2]});
     // The mean edge, which is not known yet, is no longer than the diagonal.
-    if (const double excess = t.leastExcess();
-        excess < leastExcessWanted(longest, mesh_.boundingDiagonal_))
-      maybeFlat_.emplace_back(face, excess);
+    if (t.leastExcess() < leastExcessWanted(t.longestSide(), mesh_.boundingDiagonal_))
+      maybeFlat_.push_back(face);
     for (const double length : t.lengths) mesh_.meanEdgeLength_ += length / mesh_.halfedgeCount();
   }
 
-  void noteFlatness(int face, double leastExcess) {
-    const auto& lengths = mesh_.faces_[face].lengths;
-    const double longest = *std::max_element(lengths.begin(), lengths.end());
-    const double missing = leastExcessWanted(longest, mesh_.meanEdgeLength_) - leastExcess;
+  void noteFlatness(int face) {
+    const IntrinsicTriangle t = triangle(face);
+    const double missing =
+        leastExcessWanted(t.longestSide(), mesh_.meanEdgeLength_) - t.leastExcess();
     if (missing <= 0) return;
     MeshRepairs& repairs = mesh_.repairs_;
     ++repairs.mollifiedTriangles;
@@ -376,11 +373,9 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   std::optional<SmallComponents> dropping_;
   std::optional<FanSplitting> splitting_;
   Fans fans_;
-  int firstCopy_ = 0;  ///< vertices from this one on are copies for further fans
   std::optional<InputMap> mapping_;
   Eigen::AlignedBox3d box_;
-  /// The least excess of the faces that may turn out to be flat.
-  std::vector<std::pair<int, double>> maybeFlat_;
+  std::vector<int> maybeFlat_;       ///< faces that are flat unless the mean edge is short
   std::vector<char> isOnFoundLoop_;  ///< vertices
   std::vector<int> boundary_;        ///< vertices, along the loops
   std::optional<BoundaryGaps> gaps_;

@@ -36,6 +36,7 @@ struct IntrinsicTriangle {
   std::array<double, 3> excess;   ///< at corner i: how much longer its two sides are than the third
   double twiceArea;
 
+  double longestSide() const { return *std::max_element(lengths.begin(), lengths.end()); }
   double leastExcess() const { return *std::min_element(excess.begin(), excess.end()); }
 };
 
