@@ -54,38 +54,14 @@ class Settling final : public SlicedWork<RepairedSites> {
   }
 
   bool advance(long budget) override {
-    if (isOver_ || movable_.empty()) return true;
-    if (!keptAngle_) {
-      if (!runPart(regions_, budget, mesh_, kept_.diagram) || !measureAngle(kept_, budget))
-        return false;
-      keptAngle_ = quality_->take().minAngle;
-      regions_.reset();
-      return false;
-    }
-    const bool isStepDone =
-        step_.runRound([&] { cvt_.emplace(mesh_, kept_.sites, optionsOfStep()); },
-                       [&] {
-                         cvt_->step(budget);
-                         return cvt_->isDone();
-                       },
-                       [&] { moved_ = stateOf(*cvt_, kept_.added); },
-                       [&] { return runPart(regions_, budget, mesh_, moved_.diagram); },
-                       [&] {
-                         return runPart(finding_, budget, mesh_, moved_.sites, moved_.diagram,
-                                        regions_->complex());
-                       },
-                       [&] {
-                         findings_ = finding_->takeFindings();
-                         finding_.reset();
-                       },
-                       [&] { return !findings_.empty() || measureAngle(moved_, budget); },
-                       [&] {
-                         judge();
-                         regions_.reset();
-                       });
-    if (!isStepDone) return false;
-    isOver_ = isOver_ || ++stepCount_ == kMostSettlings;
-    return isOver_;
+    return movable_.empty() ||
+           sequence_.run([&] { return runPart(regions_, budget, mesh_, kept_.diagram); },
+                         [&] { return measureAngle(kept_, budget); },
+                         [&] {
+                           keptAngle_ = quality_->take().minAngle;
+                           regions_.reset();
+                         },
+                         [&] { return takeStep(budget) && isOver_; });
   }
   double share() const override { return (stepCount_ + step_.progress()) / kMostSettlings; }
   RepairedSites result() override { return std::move(kept_); }
@@ -103,6 +79,29 @@ class Settling final : public SlicedWork<RepairedSites> {
     return options;
   }
 
+  bool takeStep(long budget) {
+    return step_.runRound([&] { cvt_.emplace(mesh_, kept_.sites, optionsOfStep()); },
+                          [&] {
+                            cvt_->step(budget);
+                            return cvt_->isDone();
+                          },
+                          [&] { moved_ = stateOf(*cvt_, kept_.added); },
+                          [&] { return runPart(regions_, budget, mesh_, moved_.diagram); },
+                          [&] {
+                            return runPart(finding_, budget, mesh_, moved_.sites, moved_.diagram,
+                                           regions_->complex());
+                          },
+                          [&] {
+                            findings_ = finding_->takeFindings();
+                            finding_.reset();
+                          },
+                          [&] { return !findings_.empty() || measureAngle(moved_, budget); },
+                          [&] {
+                            judge();
+                            regions_.reset();
+                          });
+  }
+
   /// Measures the least angle of the dual of sites whose regions are there.
   bool measureAngle(const RepairedSites& of, long budget) {
     return measuring_.runRound(
@@ -118,7 +117,7 @@ class Settling final : public SlicedWork<RepairedSites> {
   /// violations must not move any more; if none of them has moved, the next step would be the same.
   void judge() {
     const double angle = findings_.empty() ? quality_->take().minAngle : 0;
-    isOver_ = angle <= *keptAngle_;
+    isOver_ = angle <= keptAngle_;
     if (!isOver_) {
       kept_ = std::move(moved_);
       keptAngle_ = angle;
@@ -126,13 +125,14 @@ class Settling final : public SlicedWork<RepairedSites> {
     for (const Finding& finding : findings_)
       for (const int label : finding.violation.labels)
         if (std::erase(movable_, label) > 0) isOver_ = false;
+    if (++stepCount_ == kMostSettlings) isOver_ = true;
   }
 
   const TriangleMesh& mesh_;
   RepairedSites kept_, moved_;
   std::vector<int> movable_;  ///< labels, ascending
   CvtOptions tessellation_;
-  SlicedSequence step_;
+  SlicedSequence sequence_, step_;
   int stepCount_ = 0;
   std::optional<Cvt> cvt_;
   std::optional<RegionComplexBuilding> regions_;  ///< of `kept_`, then of `moved_`
@@ -142,7 +142,7 @@ class Settling final : public SlicedWork<RepairedSites> {
   std::optional<DualBuilding> building_;
   PolygonMesh dual_;
   std::unique_ptr<SlicedWork<RemeshQuality>> quality_;  ///< of the dual
-  std::optional<double> keptAngle_;                     ///< the least of the dual of `kept_`
+  double keptAngle_ = 0;                                ///< the least of the dual of `kept_`
   bool isOver_ = false;
 };
 
