@@ -32,8 +32,8 @@ void HalfedgeMatching::match(std::span<const int> halfedges) {
       twinOf(faces_, run[1][2]) = run[0][2];
     } else if (run.size() > 2) {
       ++repairs_.nonManifoldEdges;
-      for (const KeyedItem& item : run) cut_.halfedges.push_back(item[2]);
-      cut_.end.push_back(static_cast<int>(cut_.halfedges.size()));
+      std::vector<int>& edge = nonManifold_.emplace_back();
+      for (const KeyedItem& item : run) edge.push_back(item[2]);
     }
   });
 }

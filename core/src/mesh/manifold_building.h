@@ -16,18 +16,6 @@
 
 namespace gvd {
 
-/// The edges of three or more triangles, each by the halfedges of its triangles.
-struct NonManifoldEdges {
-  std::vector<int> halfedges;  ///< edge after edge
-  std::vector<int> end;        ///< of each edge in `halfedges`
-
-  std::size_t size() const { return end.size(); }
-  std::span<const int> operator[](int edge) const {
-    const int begin = edge > 0 ? end[edge - 1] : 0;
-    return std::span(halfedges).subspan(begin, end[edge] - begin);
-  }
-};
-
 /// Finds the twin of each halfedge on an edge of exactly two triangles, whichever way the twin
 /// runs; -1 on all other edges. Counts the edges of three or more triangles.
 class HalfedgeMatching {
@@ -36,7 +24,8 @@ class HalfedgeMatching {
   HalfedgeMatching(Faces& faces, int vertexCount, MeshRepairs& repairs)
       : faces_(faces), vertexCount_(vertexCount), repairs_(repairs) {}
   bool step(long& budget);
-  NonManifoldEdges take() { return std::move(cut_); }
+  /// The edges of three or more triangles, each by the halfedges of its triangles.
+  std::vector<std::vector<int>> take() { return std::move(nonManifold_); }
 
  private:
   void match(std::span<const int> halfedges);
@@ -48,7 +37,7 @@ class HalfedgeMatching {
   SlicedSequence sequence_;
   Grouping byLowerEnd_;
   std::vector<KeyedItem> byHigherEnd_;  ///< halfedges of one lower end; no second key
-  NonManifoldEdges cut_;
+  std::vector<std::vector<int>> nonManifold_;
 };
 
 /// The component of each triangle, and which triangles were turned over.

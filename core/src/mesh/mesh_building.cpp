@@ -97,12 +97,12 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
           return runPart(orienting_, budget, selection_.faces, options_.orientation, m.repairs_);
         },
         [&] { oriented_ = taken(orienting_); },
-        forEach(cut_, budget, 8,
-                [&](int edge) {
-                  stitch(selection_.faces, oriented_, cut_[edge]);
-                  return static_cast<long>(cut_[edge].size());
-                }),
-        [&] { cut_ = {}; },
+        forItems(nonManifold_, budget, 8,
+                 [&](const std::vector<int>& edge) {
+                   stitch(selection_.faces, oriented_, edge);
+                   return static_cast<long>(edge.size());
+                 }),
+        [&] { release(nonManifold_); },
         [&] {
           return runPart(dropping_, budget, options_.minComponent, selection_, oriented_,
                          m.repairs_);
@@ -119,7 +119,7 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
         [&] { return runPart(selecting_, budget, welded(), inputVertexCount(), repairs); },
         [&] { selection_ = taken(selecting_); },
         [&] { return runPart(matching_, budget, selection_.faces, inputVertexCount(), repairs); },
-        [&] { cut_ = taken(matching_); });
+        [&] { nonManifold_ = taken(matching_); });
   }
 
   /// Appends flat triangles to those of the input, and selects again.
@@ -366,7 +366,7 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   std::optional<TriangleSelection> selecting_;
   Selection selection_;
   std::optional<HalfedgeMatching> matching_;
-  NonManifoldEdges cut_;
+  std::vector<std::vector<int>> nonManifold_;  ///< the halfedges of each edge
   std::optional<TJunctionFilling> filling_;
   std::optional<TriangleOrienting> orienting_;
   OrientedComponents oriented_;
