@@ -147,22 +147,6 @@ Record neighboursRecord(std::span<const RegionPatch> regions) {
   return out;
 }
 
-/// The points nearest to the centroids; of a region without triangles, face -1.
-Record nearCentroidsRecord(const TriangleMesh& mesh, std::span<const RegionPatch> regions) {
-  std::vector<int> face;
-  std::vector<Eigen::Vector3d> bary;
-  for (const RegionPatch& region : regions) {
-    const SurfacePoint near =
-        region.triangleCount > 0 ? mesh.toInput(region.nearCentroid) : SurfacePoint();
-    face.push_back(near.face);
-    bary.push_back(near.bary);
-  }
-  Record out;
-  out.add("face", std::move(face));
-  out.add("bary", std::move(bary));
-  return out;
-}
-
 Record regionsRecord(const TriangleMesh& mesh, std::span<const RegionPatch> regions) {
   Record out;
   out.add("triangleOffset", triangleOffsets(regions));
@@ -170,7 +154,7 @@ Record regionsRecord(const TriangleMesh& mesh, std::span<const RegionPatch> regi
   out.add("perimeter", factOf(regions, &RegionPatch::perimeter));
   out.add("boundaryLength", factOf(regions, &RegionPatch::boundaryLength));
   out.add("centroid", factOf(regions, &RegionPatch::centroid));
-  out.add("nearCentroid", nearCentroidsRecord(mesh, regions));
+  out.add("nearCentroid", pointsRecord(mesh, factOf(regions, &RegionPatch::nearCentroid)));
   out.add("components", factOf(regions, &RegionPatch::components));
   out.add("loops", factOf(regions, &RegionPatch::loops));
   out.add("eulerCharacteristic", factOf(regions, &RegionPatch::eulerCharacteristic));
