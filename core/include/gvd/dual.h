@@ -99,8 +99,8 @@ struct Violation {
 
 /// All violations, by kind, then by labels. None: the dual is an orientable manifold that has the
 /// Euler characteristic, the genus and the boundary loops of the surface. (That is a theorem, and
-/// checked nevertheless.) Costs as much as `partition`, and O(k²) for two regions that share k
-/// Voronoi points.
+/// checked nevertheless.) Costs as much as `partition`, O(d²) for a Voronoi point of degree d, and
+/// O(k²) for two regions that share k Voronoi points.
 /// Source: Herbert Edelsbrunner, Nimish Shah. Triangulating Topological Spaces. 1997.
 std::vector<Violation> findViolations(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
                                       const Diagram& diagram);

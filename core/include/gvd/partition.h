@@ -91,8 +91,9 @@ struct PartitionOptions {
   bool leaveOutUnreachable = false;
 };
 
-/// Cuts a mesh along a diagram of it. O(F + M log M), M the number of points of the diagram. Throws
-/// `Error(kInvalidArgument)` if the diagram has another number of faces.
+/// Cuts a mesh along a diagram of it. O(F + M log M), M the number of points of the diagram; for
+/// each cell of k corners, O(k²) is added. Throws `Error(kInvalidArgument)` if the diagram has
+/// another number of faces.
 /// Source: Eivind Lyche Melvær, Martin Reimers. Approximating Geodesic Voronoi Diagrams on
 /// Triangulated Surfaces. 2014.
 Partition partition(const TriangleMesh& mesh, const Diagram& diagram,

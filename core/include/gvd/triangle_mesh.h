@@ -260,10 +260,10 @@ class TriangleMesh {
   /// that joins a T-junction is given on the side that the face continues. O(1).
   SurfacePoint toInput(const SurfacePoint& p) const;
   /// A point given by an input triangle, in terms of this mesh. A point on a dropped triangle is
-  /// found on the edge or vertex of a kept one. Barycentric coordinates may be off by up to 1e-6
-  /// (they are clamped and normalised); throws `Error(kInvalidPoint)` naming the fault if they are
-  /// off by more or not finite, if the triangle does not exist, or if no kept triangle has the
-  /// point. O(log F).
+  /// found on a kept one that has all of its corners. Barycentric coordinates may be off by up to
+  /// 1e-6 (they are clamped and normalised); throws `Error(kInvalidPoint)` naming the fault if they
+  /// are off by more or not finite, if the triangle does not exist, or if it was dropped and no
+  /// kept one has its corners. O(log F).
   SurfacePoint fromInput(const SurfacePoint& p) const;
   /// The place of an input vertex; throws `Error(kInvalidPoint)` if the vertex does not exist or is
   /// isolated. For a split vertex, its copy in the first triangle that names the input vertex.
