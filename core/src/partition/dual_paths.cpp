@@ -83,13 +83,9 @@ class DualPathFinding final : public SequentialWork<std::vector<DualPath>> {
   SurfacePoint pointAt(const Place& place) const {
     const Diagram::Segment& segment = *place.segment;
     const auto end = [&](int i) {
-      const SurfacePoint& p = diagram_.points[segment.points[i]];
-      return pointInFace(mesh_, p, segment.face).value_or(p);
+      return baryInFace(mesh_, diagram_.points[segment.points[i]], segment.face);
     };
-    SurfacePoint from = end(0);
-    const SurfacePoint to = end(1);
-    if (from.face != to.face) return from;
-    return {from.face, (1 - place.share) * from.bary + place.share * to.bary};
+    return {segment.face, (1 - place.share) * end(0) + place.share * end(1)};
   }
 
   /// Makes the nearest places the crossings of their arcs. The distances at all places are
