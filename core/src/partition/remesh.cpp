@@ -152,12 +152,11 @@ class Remeshing final : public SlicedWork<RepairedSites> {
   Remeshing(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,
             const RemeshOptions& options)
       : mesh_(mesh),
-        tessellation_(options.tessellation),
+        options_(options),
         sites_(sites.begin(), sites.end()),
-        most_(options.maxAdded),
-        left_(options.maxAdded) {
-    requireMaxAdded(left_);
-    cvt_.emplace(mesh_, sites_, tessellation_);
+        most_(options.maxAdded) {
+    requireMaxAdded(most_);
+    cvt_.emplace(mesh_, sites_, options_.tessellation);
   }
 
   bool advance(long budget) override {
@@ -165,16 +164,17 @@ class Remeshing final : public SlicedWork<RepairedSites> {
     if (!round_.runRound([&] { return tessellate(budget); },
                          [&] {
                            sites_.assign(cvt_->sites().begin(), cvt_->sites().end());
-                           repairing_ = startRepair(mesh_, sites_, tessellation_.metric,
-                                                    {.maxAdded = std::min(most_, left_)});
+                           repairing_ = startRepair(
+                               mesh_, sites_, options_.tessellation.metric,
+                               {.maxAdded = std::min(most_, options_.maxAdded - added_)});
                          },
                          [&] { return repair(budget); }))
       return false;
     iterationShare_ = 0;
     if (isLastRound_ || ++roundCount_ == kMostRounds)
-      settling_.emplace(mesh_, std::move(*kept_), last_, tessellation_);
+      settling_.emplace(mesh_, std::move(*kept_), last_, options_.tessellation);
     else
-      cvt_.emplace(mesh_, sites_, tessellation_);
+      cvt_.emplace(mesh_, sites_, options_.tessellation);
     return false;
   }
 
@@ -198,7 +198,7 @@ class Remeshing final : public SlicedWork<RepairedSites> {
 
   bool tessellate(long budget) {
     if (cvt_->step(budget))
-      iterationShare_ = (1.0 + cvt_->iteration().number) / (1 + tessellation_.iterations);
+      iterationShare_ = (1.0 + cvt_->iteration().number) / (1 + options_.tessellation.iterations);
     return cvt_->isDone();
   }
 
@@ -220,7 +220,6 @@ class Remeshing final : public SlicedWork<RepairedSites> {
     last_ = labelsAdded(sites_, repaired.sites);
     const int count = static_cast<int>(last_.size());
     most_ = count / 2;
-    left_ -= count;
     added_ += count;
     sites_ = repaired.sites;
     isLastRound_ = count == 0;
@@ -228,10 +227,9 @@ class Remeshing final : public SlicedWork<RepairedSites> {
   }
 
   const TriangleMesh& mesh_;
-  const CvtOptions tessellation_;
+  const RemeshOptions options_;
   std::vector<SurfacePoint> sites_;
-  int most_;  ///< how many sites this round may add
-  int left_;  ///< how many sites all further rounds may add
+  int most_;  ///< how many sites this round may add, if so many are left
   int added_ = 0, roundCount_ = 0;
   SlicedSequence round_;
   std::optional<Cvt> cvt_;
