@@ -101,6 +101,7 @@ NearestOfTriangles TriangleTree::nearest(const Eigen::Vector3d& p, double below,
   nearest.squaredDistance = below * below;
   const auto toBox = [&](int node) { return nodes_[node].box.squaredExteriorDistance(p); };
   std::vector<std::pair<double, int>> open;
+  open.reserve(64);  // more than a tree is deep, mostly
   if (!nodes_.empty()) open.emplace_back(toBox(0), 0);
   while (!open.empty()) {
     const auto [bound, index] = open.back();

@@ -218,10 +218,12 @@ class OneSidedHausdorff {
     if (distance_ == kInfinity) return;
     const auto& [a, b, c] = corners;
     double bound = kInfinity;
-    for (const Corner& corner : corners)
+    for (const Corner& corner : corners) {
       bound = std::min(bound, farthestFrom(to_.triangles()[corner.nearest],
                                            {a.position, b.position, c.position}));
-    if (mayBeFarther(bound)) parts_.push({corners, bound, partCount_++});
+      if (!mayBeFarther(bound)) return;
+    }
+    parts_.push({corners, bound, partCount_++});
   }
 
   Corner cornerAt(const Vector3d& position) {
