@@ -53,8 +53,9 @@ void BoundaryGaps::lookForSeam(int v) {
   }
 }
 
-/// Looks for a vertex within the boundary edge that leaves another one, and not at its ends. That
-/// of a flat face at the edge is joined to it. Returns how many quick rounds it took.
+/// Looks for vertices within the boundary edge that leaves v, away from its ends. The third corner
+/// of the edge's own face does not count: it is there if the face is flat, and joined to the edge.
+/// Returns how many quick rounds it took.
 long BoundaryGaps::lookForTJunction(int v) {
   if (topology_.hasTJunctions) return 1;
   const int h = mesh_.outgoing(v), apex = mesh_.tip(TriangleMesh::next(h));

@@ -37,7 +37,7 @@ inline int vertexAt(const TriangleMesh& mesh, const SurfacePoint& p) {
 }
 
 /// The coordinates of a point in a face. The point may be given in another face that shares the
-/// edge or vertex it lies on.
+/// edge or vertex it lies on; what it has of other corners is rounding, and left out.
 inline Eigen::Vector3d baryInFace(const TriangleMesh& mesh, const SurfacePoint& p, int face) {
   if (p.face == face) return p.bary;
   const std::array<int, 3>& from = mesh.face(p.face).vertices;

@@ -19,9 +19,8 @@
 
 namespace gvd {
 
-/// A violation, and the triangles of the partition where it shows. A place inside of one, far from
-/// all sites, is good for another site: on the mesh boundary, triangles of the dual could have no
-/// area.
+/// A violation, and the triangles of the partition where it shows. A further site is put inside one
+/// of these, not on a border: on the mesh boundary, triangles of the dual could have no area.
 struct Finding {
   Violation violation;
   std::vector<int> triangles;

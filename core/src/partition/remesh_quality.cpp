@@ -181,8 +181,8 @@ class OneSidedHausdorff {
     }
   };
 
-  /// Begins with a triangle, unless one that is near the triangle before shows that no point of it
-  /// is farther.
+  /// Adds a triangle, unless the one that was nearest last shows that no point of it is farther:
+  /// neighbours mostly follow one another, and are near the same.
   void enter(const SpaceTriangle& triangle) {
     constexpr double kHalvingsPerSquare = 4, kMostSquares = 4096;
     const auto& [a, b, c] = triangle;
