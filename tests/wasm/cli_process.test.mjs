@@ -109,6 +109,12 @@ for (const [what, line, status, pattern] of [
     oneLine('d\\.json cannot be written: it is a folder'),
   ],
   [
+    'a folder for output that is not there',
+    'gv partition mesh.glb --sites 1 -o parts/',
+    1,
+    oneLine('parts/ cannot be written: it is a folder'),
+  ],
+  [
     'a folder that takes no files',
     'gv diagram mesh.glb --sites 1 -o /proc/d.json',
     1,

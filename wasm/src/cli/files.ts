@@ -176,7 +176,7 @@ export class Output {
     try {
       const target = await targetOf(path);
       const kind = await kindOf(target);
-      if (kind === 'folder') throw new FileError('it is a folder');
+      if (kind === 'folder' || path.endsWith('/')) throw new FileError('it is a folder');
       await access(kind === 'none' ? dirname(target) : target, constants.W_OK);
       return new Output(target, quiet);
     } catch (error) {
