@@ -96,6 +96,30 @@ suite('first sight', () => {
     await state(viewer, 'Not begun');
   });
 
+  test('who wants no motion and opens another model ends the work on the first', async () => {
+    const viewer = await browser.visit({ hash: '' });
+    await viewer.evaluate((viewer) => {
+      viewer.states = 0;
+      const next = (type) =>
+        new Promise((done) => viewer.addEventListener(type, done, { once: true }));
+      next('load').then(() => {
+        const { mesh } = viewer;
+        const { cvt } = mesh;
+        const opened = next('load');
+        mesh.cvt = async function* (...options) {
+          for await (const state of cvt.apply(mesh, options)) {
+            if (++viewer.states === 3) await opened;
+            yield state;
+          }
+        };
+      });
+    });
+    await state(viewer, 'Playing');
+    await viewer.after('load', () => viewer.choose(ownFile));
+    await state(viewer, 'Not begun');
+    assert.equal(await viewer.evaluate(({ states }) => states), 3);
+  });
+
   test('the poster shows the model where it is drawn', async () => {
     const viewer = await browser.open({ viewport: { width: 1024, height: 768 } });
     const [expected, drawn] = await viewer.evaluate(async (viewer) => {

@@ -74,17 +74,21 @@ async function evenOut(viewer: GeodesicVoronoiElement, readings: CvtReadings): P
   const clear = () => isIdle() && readings.tell('idle');
   const iterations = Number(attributeOf(viewer, 'cvt-iterations'));
   const states: CvtState[] = [];
+  // What the reader has opened or edited meanwhile is kept.
+  const isChanged = () =>
+    mesh !== viewer.mesh || viewer.density !== undefined || !isSame(sites, viewer.sites);
   readings.tell('running');
   try {
-    for await (const state of mesh.cvt(sites, { iterations })) states.push(state);
+    for await (const state of mesh.cvt(sites, { iterations })) {
+      if (isChanged()) break;
+      states.push(state);
+    }
   } catch (error) {
     clear();
     throw error;
   }
   const last = states.at(-1);
-  // Changes that the reader has made meanwhile are kept.
-  const isEdited = viewer.density !== undefined || !isSame(sites, viewer.sites);
-  if (!last || mesh !== viewer.mesh || isEdited) {
+  if (!last || isChanged()) {
     clear();
     return;
   }
