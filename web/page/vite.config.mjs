@@ -103,7 +103,7 @@ const leaveOutOfThree = {
 const withoutComments = {
   name: 'without-comments',
   transform: (code, id) =>
-    /three\/src\/renderers\/shaders\/|\/web\/viewer\//.test(id)
+    /three\/(src\/renderers\/shaders|examples\/jsm\/lines)\/|\/web\/viewer\//.test(id)
       ? code.replace(/^\s*((\/\/.*|\/\*.*\*\/)\n\s*)*/gm, '')
       : undefined,
 };
