@@ -105,10 +105,13 @@ struct MeshTopology {
 ///     an edge whose triangles cannot agree (non-orientable surface) is cut. With
 ///     `Orientation::kKeep` no triangle is turned over, and every edge whose triangles disagree is
 ///     cut;
-///  7. where an edge was cut in step 5, the triangles of a component are joined again if there are
-///     just two and they agree in orientation: cutting and stitching (Guéziec et al. 2001,
-///     "Cutting and Stitching: Converting Sets of Polygons to Manifold Surfaces"). So solids that
-///     touch along an edge stay closed, and a surface with a fin on it stays whole;
+///  7. where an edge was cut in step 5, triangles are joined again: cutting and stitching (Guéziec
+///     et al. 2001, "Cutting and Stitching: Converting Sets of Polygons to Manifold Surfaces").
+///     First the triangles of a component, if there are just two and they agree in orientation: so
+///     solids that touch along an edge stay closed, and a surface with a fin on it stays whole.
+///     Then the others, each with the next one across the inside of a solid, if insides and
+///     outsides, by their orientations, alternate around the edge: so solids stay closed that touch
+///     in faces which both divide into triangles, but not into the same ones;
 ///  8. components of fewer than `minComponent` triangles are dropped;
 ///  9. a vertex whose triangles form several fans is split, one vertex per fan: no path passes
 ///     through it;

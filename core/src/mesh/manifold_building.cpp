@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/manifold_building.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <string>
 
 #include "base/rejection.h"
+#include "mesh/given_triangles.h"
 
 namespace gvd {
 
@@ -121,19 +125,64 @@ void TriangleOrienting::turnOver(int t) {
 
 // --- Stitching ---------------------------------------------------------------------------------
 
-void stitch(Faces& faces, const OrientedComponents& oriented, std::span<const int> halfedges) {
+namespace {
+
+void join(Faces& faces, int h, int twin) {
+  twinOf(faces, h) = twin;
+  twinOf(faces, twin) = h;
+}
+
+/// Joins the triangles of some halfedges of one edge, each with the next one across the inside of a
+/// solid, if insides and outsides alternate around the edge.
+void joinAcrossInsides(Faces& faces, std::span<const double> positions,
+                       std::span<const int> halfedges) {
+  const int tail = tailOf(faces, halfedges[0]), tip = tipOf(faces, halfedges[0]);
+  const Eigen::Vector3d start = positionOf(positions, tail);
+  const Eigen::Vector3d edge = positionOf(positions, tip) - start;
+  const double length = edge.norm();
+  // Counterclockwise around the edge from the first triangle. Triangles in one plane have one
+  // angle, counted in steps of 1.5e-3. Of two, the one at which a solid ends comes first: the one
+  // that runs from tail to tip.
+  constexpr int kSteps = 4096;
+  constexpr double kStepsPerRadian = kSteps / (2 * std::numbers::pi);
+  std::vector<KeyedItem> around;
+  const auto apexOf = [&](int h) -> Eigen::Vector3d {
+    return positionOf(positions, tipOf(faces, TriangleMesh::next(h))) - start;
+  };
+  const Eigen::Vector3d firstNormal = edge.cross(apexOf(halfedges[0]));
+  for (const int h : halfedges) {
+    const Eigen::Vector3d apex = apexOf(h);
+    const Eigen::Vector3d normal = edge.cross(apex);
+    const double angle = std::atan2(length * firstNormal.dot(apex), firstNormal.dot(normal));
+    // No number where positions are too far apart, which is told when distances are measured.
+    const int steps =
+        std::isnan(angle) ? 0 : static_cast<int>(std::nearbyint(kStepsPerRadian * angle));
+    around.push_back({steps & (kSteps - 1), tailOf(faces, h) != tail, h});
+  }
+  std::sort(around.begin(), around.end());
+  around.push_back(around[0]);
+  for (std::size_t i = 1; i < around.size(); ++i)
+    if (around[i][1] == around[i - 1][1]) return;
+  for (std::size_t i = 1; i < around.size(); ++i)
+    if (around[i][1] == 0) join(faces, around[i - 1][2], around[i][2]);
+}
+
+}  // namespace
+
+void stitch(Faces& faces, const OrientedComponents& oriented, std::span<const double> positions,
+            std::span<const int> halfedges) {
   std::vector<KeyedItem> byComponent;  // no second key
   for (const int h : halfedges) {
     const int f = h / 3, side = oriented.flipped[f] ? 2 - h % 3 : h % 3;
     byComponent.push_back({oriented.component[f], 0, 3 * f + side});
   }
+  std::vector<int> others;
   visitSame(byComponent, [&](std::span<const KeyedItem> run) {
-    if (run.size() != 2) return;
-    const int h = run[0][2], twin = run[1][2];
-    if (tailOf(faces, h) != tipOf(faces, twin)) return;
-    twinOf(faces, h) = twin;
-    twinOf(faces, twin) = h;
+    if (run.size() == 2 && tailOf(faces, run[0][2]) != tailOf(faces, run[1][2]))
+      return join(faces, run[0][2], run[1][2]);
+    for (const KeyedItem& item : run) others.push_back(item[2]);
   });
+  if (!others.empty()) joinAcrossInsides(faces, positions, others);
 }
 
 // --- Small components --------------------------------------------------------------------------

@@ -79,11 +79,10 @@ class TriangleOrienting {
   OrientedComponents out_;
 };
 
-/// Joins the two triangles that a component has at an edge of three or more triangles, if it has
-/// just two there and they agree in orientation (cutting and stitching: Guéziec et al. 2001). So
-/// two solids that touch along an edge stay closed, and a surface with a fin on it stays whole. The
-/// halfedges of the edge are as they were before triangles were turned over.
-void stitch(Faces& faces, const OrientedComponents& oriented, std::span<const int> halfedges);
+/// Joins triangles at an edge of three or more, as step 7 at `TriangleMesh` says. Components may
+/// become one. The halfedges of the edge are as they were before triangles were turned over.
+void stitch(Faces& faces, const OrientedComponents& oriented, std::span<const double> positions,
+            std::span<const int> halfedges);
 
 /// Drops the components of fewer than `least` triangles, and counts them. Throws
 /// `Error(kInvalidMesh)` if none is left.

@@ -93,16 +93,13 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
         },
         [&] { return selectTriangles(budget); },
         [&] { return weldTolerance_ == 0 || joinTJunctions(budget); },
-        [&] {
-          return runPart(orienting_, budget, selection_.faces, options_.orientation, m.repairs_);
-        },
-        [&] { oriented_ = taken(orienting_); },
+        [&] { return orient(budget); }, [&] { oriented_ = taken(orienting_); },
         forItems(nonManifold_, budget, 8,
                  [&](const std::vector<int>& edge) {
-                   stitch(selection_.faces, oriented_, edge);
+                   stitch(selection_.faces, oriented_, positions_, edge);
                    return static_cast<long>(edge.size());
                  }),
-        [&] { release(nonManifold_); },
+        [&] { return nonManifold_.empty() || orient(budget); }, [&] { takeStitched(); },
         [&] {
           return runPart(dropping_, budget, options_.minComponent, selection_, oriented_,
                          m.repairs_);
@@ -128,6 +125,19 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
         [&] { return runPart(filling_, budget, positions_, selection_.faces, weldTolerance_); },
         [&] { appendFlat(taken(filling_)); },
         [&] { return mesh_.joining_.empty() || selectTriangles(budget); });
+  }
+
+  bool orient(long& budget) {
+    return runPart(orienting_, budget, selection_.faces, options_.orientation, mesh_.repairs_);
+  }
+
+  /// Stitching has made components one. Nothing was turned over again, since they agree.
+  void takeStitched() {
+    if (!orienting_) return;
+    std::vector<char> flipped = std::move(oriented_.flipped);
+    oriented_ = taken(orienting_);
+    oriented_.flipped = std::move(flipped);
+    release(nonManifold_);
   }
 
   /// The halfedges and the position of each vertex.
