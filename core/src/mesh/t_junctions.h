@@ -17,11 +17,11 @@
 
 namespace gvd {
 
-/// A flat triangle along a side of a triangle, whose place on that side it has.
+/// A flat triangle whose three vertices lie on a side of another triangle.
 struct FlatTriangle {
   Corners vertices;
-  int beside;               ///< the triangle
-  Eigen::Matrix3d corners;  ///< columns: barycentric coordinates in that triangle
+  int beside;               ///< the other triangle
+  Eigen::Matrix3d corners;  ///< columns: barycentric coordinates of the vertices there
 };
 
 /// Joins T-junctions: boundary vertices within a boundary edge of a triangle that they are no
