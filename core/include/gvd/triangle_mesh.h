@@ -130,8 +130,8 @@ struct MeshTopology {
 /// moved, except that a welded vertex takes the position of the vertex it was welded into.
 ///
 /// Faces and vertices keep the order of the input; copies of split vertices come last, and so do
-/// the faces that join T-junctions. A clean mesh
-/// keeps all its indices. Where an edge was cut, two boundary edges may have the same two ends.
+/// the faces that join T-junctions. A clean mesh keeps all its indices. Where an edge was cut, two
+/// boundary edges may have the same two ends.
 class TriangleMesh {
  public:
   /// `positions`: x, y, z per vertex, any unit. `triangles`: three vertex indices each. Throws
