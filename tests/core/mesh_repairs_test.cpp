@@ -178,7 +178,7 @@ TEST(Repairs, KeepASurfaceWholeThatHasAFin) {
   EXPECT_EQ(mesh.topology().boundaryLoops, 1) << "that of the fin";
 }
 
-TEST(Repairs, KeepTwoBlocksClosedThatShareWholeTriangles) {
+TEST(Repairs, KeepTwoBlocksClosedThatTouchInFaces) {
   // Of the second one, which lies on the first, the squares in between have the other diagonal.
   const std::vector<double> lines = {0, 1, 2};
   const Shape block =

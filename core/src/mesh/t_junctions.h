@@ -58,10 +58,10 @@ class TJunctionFilling {
   const double tolerance_;
 
   SlicedSequence sequence_;
-  std::vector<int> edges_;  ///< of the boundary, as halfedges
-  std::vector<SpaceTriangle> inSpace_;
-  IndexSet vertices_;                 ///< of the boundary
-  std::optional<TriangleTree> tree_;  ///< of the edges
+  std::vector<int> edges_;              ///< of the boundary, as halfedges
+  std::vector<SpaceTriangle> inSpace_;  ///< the edges, until the tree has them
+  IndexSet vertices_;                   ///< of the boundary
+  std::optional<TriangleTree> tree_;    ///< of the edges
   std::vector<Junction> found_;
   std::vector<FlatTriangle> out_;
 };

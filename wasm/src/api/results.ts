@@ -55,8 +55,8 @@ export type ClosestPoints = PlacedPoints & {
  * What the mesh builder did to make a manifold of the input, and to give every triangle a height;
  * all zero for a clean mesh. In this order: triangles with a corner that is not finite are dropped,
  * vertices are welded, degenerate and duplicate triangles dropped, T-junctions joined, edges of three
- * or more triangles cut, components oriented and closed again along these edges, small ones dropped, and vertices of
- * several fans split.
+ * or more triangles cut, components oriented and closed again along these edges, small ones dropped,
+ * and vertices of several fans split.
  */
 export interface MeshRepairs {
   /** Vertices merged into an earlier one at their place. */
