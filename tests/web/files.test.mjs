@@ -169,12 +169,27 @@ suite('files', () => {
 
   test('joining is offered where triangles touch without being joined', async () => {
     const components = () => own.evaluate(({ info }) => info.components);
-    await own.after('diagram', () => own.choose({ 'torn.glb': glb(torn(octahedron(), 1e-7)) }));
+    await own.after('load', () => own.choose({ 'torn.glb': glb(torn(octahedron(), 1e-7)) }));
     assert.equal(await components(), 8);
-    await own.after('diagram', () => own.page.getByText('Join them').click());
+    await own.after('load', () => own.page.getByText('Join them').click());
     assert.equal(await components(), 1);
     assert.equal(await own.page.locator('#weld').inputValue(), '1e-6');
     assert.equal(await own.page.locator('#note').getByText('touch without').isVisible(), false);
+  });
+
+  test('joining is not offered again where sheets overlap that it cannot join', async () => {
+    const overlapping = {
+      positions: [
+        0, 0, 0, 2, 0, 0, 1, 0, 1, -1, 0, 0, 3, 0, 0, 1, 0, -1, 1, 0, 0, 0.5, 1, 0, 1.5, 1, 0,
+      ],
+      indices: [0, 1, 2, 3, 4, 5, 6, 7, 8],
+    };
+    await own.evaluate((viewer) => viewer.setAttribute('weld', '0'));
+    await own.after('load', () => own.choose({ 'sheets.glb': glb(overlapping) }));
+    await own.after('load', () => own.page.getByText('Join them').click());
+    assert.equal(await own.evaluate(({ info }) => info.hasTJunctions), true);
+    assert.equal(await own.page.getByText('Join them').isVisible(), false);
+    assert.match(await own.page.locator('#note').innerText(), /cut apart/);
   });
 
   test('finer triangles are offered where regions are wrong', async () => {

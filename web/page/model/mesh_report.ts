@@ -18,6 +18,9 @@ const bytesPerFace = 700;
 /** The memory of a browser's tab to rely on; 32-bit WebAssembly has at most 4 GB. */
 const bytesThatFit = 1.2e9;
 
+/** The attribute `weld` that joins seams and T-junctions as wide as they are looked for. */
+const joiningWeld = '1e-6';
+
 /** Sets up the report on the mesh and the options by which it is built from its file. */
 export function setUpMeshReport(viewer: GeodesicVoronoiElement): void {
   // A change opens the model anew.
@@ -29,12 +32,16 @@ export function setUpMeshReport(viewer: GeodesicVoronoiElement): void {
       ...factsOf(info).flatMap(([term, value]) => [make('dt', {}, term), make('dd', {}, value)]),
     );
     repairs.replaceChildren(...sentencesOf(info).map((sentence) => make('span', {}, sentence)));
-    noteOn(info, () => viewer.setAttribute('weld', '1e-6'));
+    const isWelded = Number(viewer.getAttribute('weld')) >= Number(joiningWeld);
+    noteOn(info, isWelded ? undefined : () => viewer.setAttribute('weld', joiningWeld));
   });
 }
 
-/** Notes the most important one of what a reader should know of a mesh, if there is any. */
-function noteOn(info: MeshInfo, weld: () => void): void {
+/**
+ * Notes the most important one of what a reader should know of a mesh, if there is any. `weld` joins
+ * what touches, unless that was done.
+ */
+function noteOn(info: MeshInfo, weld: (() => void) | undefined): void {
   const { faces, repairs, hasOpenSeams, hasTJunctions } = info;
   const bytes = faces * bytesPerFace;
   const cuts = repairs.orientationCuts + repairs.nonManifoldEdges;
@@ -43,7 +50,7 @@ function noteOn(info: MeshInfo, weld: () => void): void {
       `This model has ${integer(faces)} triangles, which take about ` +
         `${(bytes / 1e9).toFixed(1)} GB of memory: a coarser model is safer.`,
     );
-  } else if (hasOpenSeams || hasTJunctions) {
+  } else if (weld && (hasOpenSeams || hasTJunctions)) {
     showNote('Some triangles of this model touch without being joined: no path leads across.', {
       title: 'Join them',
       act: weld,
