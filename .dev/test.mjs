@@ -62,36 +62,23 @@ const runners = [
     closing: nodeTestClosing,
   },
   {
-    // The tests of the core again, watched by AddressSanitizer and UBSan, with the assertions of Eigen
-    // and of the standard library. That takes several times as long: fewer random cases and edits,
-    // and not those that measure accuracy.
+    // The tests of the core again, and inputs that libFuzzer makes up, watched by AddressSanitizer and
+    // UBSan, with the assertions of Eigen and of the standard library. That takes several times as long:
+    // fewer random cases and edits, and not those that measure accuracy.
     name: 'sanitized',
     prepare: () => buildWithCMake('build/sanitized', { options: sanitized }),
     command: () => ctest('build/sanitized'),
     closing: (text) => ctestClosing('build/sanitized', text),
   },
-  {
-    // Inputs that libFuzzer makes up, a minute in all, watched in the same way.
-    name: 'fuzz',
-    prepare: () => buildWithCMake('build/fuzz', { options: fuzzed }),
-    command: () => ctest('build/fuzz'),
-    closing: (text) => text.match(/^.*tests passed.*$/m)?.[0],
-  },
 ];
 /** Several files are compiled as one, which takes half of the time. What is measured and shipped is not. */
-const watched = [
+const sanitized = [
   '-DCMAKE_BUILD_TYPE=Debug',
   '-DCMAKE_UNITY_BUILD=ON',
   '-DCMAKE_UNITY_BUILD_BATCH_SIZE=16',
-];
-const fuzzed = [
-  ...watched,
+  // Whose sanitizers libFuzzer works with.
   '-DCMAKE_CXX_COMPILER=clang++',
   '-DGVD_SANITIZE=address,undefined,float-cast-overflow,fuzzer-no-link',
-];
-const sanitized = [
-  ...watched,
-  '-DGVD_SANITIZE=address,undefined,float-cast-overflow',
   '-DGVD_PROPERTY_CASES=500',
 ];
 

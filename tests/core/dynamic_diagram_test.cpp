@@ -110,11 +110,12 @@ AssertionResult isUpToDate(const TriangleMesh& mesh, const DynamicDiagram& dynam
                               << followed.points.size();
   for (int v = 0; v < mesh.vertexCount(); ++v) {
     const auto expected = anew.field->at(v), known = dynamic.distances().at(v);
-    const bool same = std::equal(
-        expected.begin(), expected.end(), known.begin(), known.end(), [&](auto& a, auto& b) {
-          return labels[a.label] == b.label &&
-                 std::abs(a.distance - b.distance) <= 1e-12 * std::abs(a.distance);
-        });
+    const bool same =
+        std::equal(expected.begin(), expected.end(), known.begin(), known.end(),
+                   [&labels = labels](auto& a, auto& b) {
+                     return labels[a.label] == b.label &&
+                            std::abs(a.distance - b.distance) <= 1e-12 * std::abs(a.distance);
+                   });
     if (!same)
       return AssertionFailure() << "at vertex " << v << " known are" << written(known, own)
                                 << " and not" << written(expected, labels);

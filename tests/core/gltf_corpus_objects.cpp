@@ -96,27 +96,30 @@ std::vector<NumberPlace> numberPlaces() {
 }  // namespace
 
 void addNumberCases(GltfCases& cases) {
-  const std::pair<const char*, const char*> values[] = {
-      {"-1", "-1"},
-      {"-4", "-4"},
-      {"4294967296", "4294967296"},
-      {"9007199254740992", "9007199254740992"},
-      {"18446744073709551615", "18446744073709551615"},
-      {"18446744073709551616", "18446744073709551616"},
-      {"0.5", "0.5"},
-      {"-0.25", "-0.25"},
-      {"1e300", "1e300"},
-      {"null", "null"},
-      {"true", "true"},
-      {"\"1\"", "a string"},
-      {"[0]", "an array"},
-      {"{}", "an object"}};
+  struct Value {
+    const char* json;
+    const char* shown;
+  };
+  const Value values[] = {{"-1", "-1"},
+                          {"-4", "-4"},
+                          {"4294967296", "4294967296"},
+                          {"9007199254740992", "9007199254740992"},
+                          {"18446744073709551615", "18446744073709551615"},
+                          {"18446744073709551616", "18446744073709551616"},
+                          {"0.5", "0.5"},
+                          {"-0.25", "-0.25"},
+                          {"1e300", "1e300"},
+                          {"null", "null"},
+                          {"true", "true"},
+                          {"\"1\"", "a string"},
+                          {"[0]", "an array"},
+                          {"{}", "an object"}};
   for (const NumberPlace& place : numberPlaces()) {
-    for (const auto& [value, shown] : values) {
-      cases.refused(
-          std::string(place.path) + ' ' + value,
-          std::string(place.path) + " is " + shown + "; it must be a whole number " + place.range,
-          [&](GlbWriter& file) { place.set(file, value); });
+    for (const Value& value : values) {
+      cases.refused(std::string(place.path) + ' ' + value.json,
+                    std::string(place.path) + " is " + value.shown +
+                        "; it must be a whole number " + place.range,
+                    [&](GlbWriter& file) { place.set(file, value.json); });
     }
   }
   cases.opens("whole numbers written as others are", 1, [](GlbWriter& file) {
