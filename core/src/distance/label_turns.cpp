@@ -7,7 +7,6 @@ namespace gvd {
 
 void LabelTurns::clear() {
   turns_.clear();
-  faces_.clear();
   next_ = 0;
   hasBegun_ = false;
 }
@@ -20,21 +19,15 @@ void LabelTurns::setRequired(std::span<const Requirement> requirements) {
     int& turn = turnOf[r.label];
     if (turn < 0) {
       turn = static_cast<int>(turns_.size());
-      turns_.push_back({r.label, Turn::kRequire});
+      turns_.push_back({r.label, Turn::kRequire, {}});
     }
-    ++turns_[turn].facesEnd;  // the number of its faces, then their begin, and at last their end
+    turns_[turn].faces.push_back(r.face);
   }
-  size_t begin = 0;
-  for (Turn& turn : turns_) begin += std::exchange(turn.facesEnd, begin);
-  faces_.resize(requirements.size());
-  for (const Requirement& r : requirements) faces_[turns_[turnOf[r.label]].facesEnd++] = r.face;
 }
 
 void LabelTurns::begin(long& budget) {
-  const auto& [label, how, facesEnd] = turns_[next_];
-  const size_t begin = next_ > 0 ? turns_[next_ - 1].facesEnd : 0;
-  const auto own = std::span(faces_).subspan(begin, facesEnd - begin);
-  currentFaces_.assign(own.begin(), own.end());
+  auto& [label, how, faces] = turns_[next_];
+  currentFaces_ = std::move(faces);
   switch (how) {
     case Turn::kStart:
       return spread_.start(label);

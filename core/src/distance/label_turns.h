@@ -22,9 +22,9 @@ class LabelTurns {
   /// Gives up all turns.
   void clear();
   /// A turn to spread from the label's site.
-  void addStart(int label) { turns_.push_back({label, Turn::kStart}); }
+  void addStart(int label) { turns_.push_back({label, Turn::kStart, {}}); }
   /// A turn to spread on from where the label stopped.
-  void addResume(int label) { turns_.push_back({label, Turn::kResume}); }
+  void addResume(int label) { turns_.push_back({label, Turn::kResume, {}}); }
   /// In place of all turns, one of each label to spread on to its faces. Labels come in the order
   /// of their first faces, so that the memory they touch is still in the cache.
   void setRequired(std::span<const Requirement> requirements);
@@ -63,7 +63,7 @@ class LabelTurns {
   struct Turn {
     int label;
     enum { kStart, kResume, kRequire } how;
-    size_t facesEnd = 0;  ///< in `faces_`; its faces begin at the end of those of the turn before
+    std::vector<int> faces;  ///< to spread on to
   };
 
   void begin(long& budget);
@@ -71,8 +71,7 @@ class LabelTurns {
 
   LabelSpread& spread_;
   std::vector<Turn> turns_;
-  std::vector<int> faces_;  ///< of all turns
-  size_t next_ = 0;         ///< the current turn
+  size_t next_ = 0;  ///< the current turn
   bool hasBegun_ = false;
   std::vector<int> currentFaces_;
 };
