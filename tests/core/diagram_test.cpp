@@ -21,7 +21,7 @@
 #include "gvd/sampling.h"
 #include "mechanical_shapes.h"
 #include "mesh/incidence.h"
-#include "mesh/surface_geometry.h"
+#include "mesh/slits.h"
 #include "random_case.h"
 #include "shapes.h"
 

@@ -13,7 +13,6 @@
 #include "gvd/dynamic_diagram.h"
 #include "gvd/partition.h"
 #include "gvd/sampling.h"
-#include "mesh/surface_geometry.h"
 #include "partition_checks.h"
 
 namespace gvd::checks {
@@ -51,7 +50,7 @@ double medianHeight(const TriangleMesh& mesh) {
 class SameDistance {
  public:
   SameDistance(const TriangleMesh& mesh, double share, double shareOfLongestEdge)
-      : share_(share), absolute_(shareOfLongestEdge * longestEdge(mesh)) {}
+      : share_(share), absolute_(shareOfLongestEdge * mesh.longestEdge()) {}
   bool operator()(double a, double b) const {
     return std::abs(a - b) <= share_ * std::max(a, b) + absolute_;
   }
@@ -135,7 +134,7 @@ AssertionResult haveSameDistances(const TriangleMesh& mesh, const DistanceField&
 /// against the longest edge, sites lie close together, and the rounding of distances moves
 /// bisectors by more.
 double areaTolerance(const TriangleMesh& mesh) {
-  return std::max(1e-9, 0x1p-46 * longestEdge(mesh) / medianHeight(mesh));
+  return std::max(1e-9, 0x1p-46 * mesh.longestEdge() / medianHeight(mesh));
 }
 
 std::string complaintAboutEdits(const TriangleMesh& mesh, std::span<const SurfacePoint> sites,

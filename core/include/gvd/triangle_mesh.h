@@ -228,6 +228,8 @@ class TriangleMesh {
   double area() const { return area_; }
   /// The length of the longest edge at v.
   double longestEdge(int v) const { return longestEdge_[v]; }
+  /// The length of the longest edge of all.
+  double longestEdge() const { return longestOfAll_; }
   /// The faces, ascending, whose shortest side is below 1e-5 of the longest: few or none.
   std::span<const int> needles() const { return needles_; }
   /// The mean of `length` over all halfedges: an inner edge counts twice.
@@ -299,7 +301,8 @@ class TriangleMesh {
   std::vector<int> fanBegin_, fanHalfedges_;  ///< fan after fan, and where each begins
   std::vector<double> angleSum_, longestEdge_;
   std::vector<int> needles_;
-  double area_ = 0, meanEdgeLength_ = 0, shortEdgeLength_ = 0, boundingDiagonal_ = 0;
+  double area_ = 0, boundingDiagonal_ = 0;
+  double longestOfAll_ = 0, meanEdgeLength_ = 0, shortEdgeLength_ = 0;
   std::vector<int> component_;
   std::vector<int> boundaryLoops_;
   /// `inputFace_` is ascending. From `inputFaceCount_` on, it counts the entries of `joining_`.

@@ -16,7 +16,6 @@
 #include "distance/site_distances.h"
 #include "gvd/diagram.h"
 #include "mesh/random_points.h"
-#include "mesh/surface_geometry.h"
 
 namespace gvd {
 namespace {
@@ -30,7 +29,7 @@ double maxEdgeFor(const TriangleMesh& mesh, const Diagram& diagram) {
     area += ofRegion;
     regions += ofRegion > 0;
   }
-  const double longest = longestEdge(mesh);
+  const double longest = mesh.longestEdge();
   const double ofRegions = regions > 0 ? std::sqrt(area / regions) / 3 : longest;
   return std::min(ofRegions, longest / 2) / mesh.boundingDiagonal();
 }

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "gvd/diagram.h"
-#include "mesh/surface_geometry.h"
+#include "mesh/slits.h"
 
 namespace gvd {
 

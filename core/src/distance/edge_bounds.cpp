@@ -6,7 +6,7 @@
 #include "base/prefetch.h"
 #include "mesh/face_layout.h"
 #include "mesh/incidence.h"
-#include "mesh/surface_geometry.h"
+#include "mesh/prefetch_around.h"
 
 namespace gvd {
 

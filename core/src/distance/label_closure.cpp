@@ -5,7 +5,7 @@
 
 #include "distance/edge_share.h"
 #include "distance/labelled_distances.h"
-#include "mesh/surface_geometry.h"
+#include "mesh/slits.h"
 
 namespace gvd {
 

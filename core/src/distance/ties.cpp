@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "base/sorting.h"
-#include "mesh/surface_geometry.h"
 
 namespace gvd {
 namespace {
@@ -25,7 +24,7 @@ bool haveUnequalTies(std::span<const LabelledDistance> here, const TieTolerance&
 }  // namespace
 
 TieTolerance::TieTolerance(const TriangleMesh& mesh)
-    : absolute_(kUnfoldingTolerance * longestEdge(mesh)) {}
+    : absolute_(kUnfoldingTolerance * mesh.longestEdge()) {}
 
 bool equalizeTies(std::span<LabelledDistance> here, const TieTolerance& ties) {
   constexpr size_t kFew = 32;  // up to here, comparing all pairs is quicker than sorting

@@ -324,8 +324,8 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
     face.area = t.twiceArea / 2;
   }
 
-  /// Adds a face to the sums and longest edges of its vertices, to the area and to the needles.
-  /// Faces come in order.
+  /// Adds a face to the sums and longest edges of its vertices, to those of the mesh, and to the
+  /// needles. Faces come in order.
   void sumUp(int f) {
     for (int h = 3 * f; h < 3 * f + 3; ++h) {
       mesh_.angleSum_[mesh_.tail(h)] += mesh_.cornerAngle(h);
@@ -335,6 +335,7 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
     mesh_.area_ += mesh_.faceArea(f);
     const auto& lengths = mesh_.faces_[f].lengths;
     const auto [shortest, longest] = std::minmax_element(lengths.begin(), lengths.end());
+    mesh_.longestOfAll_ = std::max(mesh_.longestOfAll_, *longest);
     if (*shortest < kNeedle * *longest) mesh_.needles_.push_back(f);
   }
 

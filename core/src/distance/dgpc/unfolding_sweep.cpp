@@ -7,7 +7,7 @@
 #include "distance/site_frame.h"
 #include "mesh/face_layout.h"
 #include "mesh/incidence.h"
-#include "mesh/surface_geometry.h"
+#include "mesh/prefetch_around.h"
 
 namespace gvd::dgpc {
 

@@ -14,7 +14,7 @@
 #include "distance/site_frame.h"
 #include "mesh/face_layout.h"
 #include "mesh/incidence.h"
-#include "mesh/surface_geometry.h"
+#include "mesh/prefetch_around.h"
 
 namespace gvd::exact {
 namespace {
@@ -38,7 +38,7 @@ WindowSweep::WindowSweep(const TriangleMesh& mesh, const SiteSet& sites, Nearest
     : mesh_(mesh),
       sites_(sites),
       bounds_(bounds),
-      leastGrazing_(kRoundingOfLines * longestEdge(mesh)),
+      leastGrazing_(kRoundingOfLines * mesh.longestEdge()),
       tieMargin_(kDistanceTolerance * kFarthestTie * mesh.boundingDiagonal()),
       fan_(mesh, leastGrazing_),
       revisits_(mesh),
