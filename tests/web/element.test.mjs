@@ -722,6 +722,64 @@ suite('attributes and events', () => {
     assert.deepEqual(steps, ['sampled', 'opened']);
   });
 
+  test('a refused number of sites changes nothing that is under way', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
+    const placed = await viewer.evaluate(async (viewer) => {
+      viewer.sites = { face: [0, 5, 9], bary: [1, 0, 0, 1, 0, 0, 1, 0, 0] };
+      viewer.setAttribute('sites', 'many');
+      await new Promise((resolve) => viewer.addEventListener('error', resolve, { once: true }));
+      await new Promise((resolve) => viewer.addEventListener('diagram', resolve, { once: true }));
+      return viewer.sites.face.length;
+    });
+    assert.equal(placed, 3);
+    assert.equal(await viewer.evaluate((viewer) => viewer.getAttribute('sites')), '12');
+    const iterations = await viewer.evaluate(async (viewer) => {
+      const iterations = [];
+      await new Promise((resolve) => {
+        viewer.addEventListener('cvt-iteration', ({ detail: { iteration } }) => {
+          if (iterations.push(iteration) === 3) viewer.setAttribute('sites', 'many');
+          if (iterations.length === 8) resolve();
+        });
+        viewer.playCvt();
+      });
+      return iterations;
+    });
+    assert.deepEqual(iterations, [...iterations.keys()]);
+  });
+
+  test('a number of sites that is taken back at once leaves an added site', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
+    await viewer.after('diagram', () =>
+      viewer.evaluate((viewer) => {
+        viewer.addSite({ face: 0, bary: [1, 0, 0] });
+        viewer.setAttribute('sites', 20);
+        viewer.setAttribute('sites', 12);
+      }),
+    );
+    assert.equal(await viewer.siteCount(), 13);
+  });
+
+  test('sites that replace those of a tessellation can be replaced by as many as before', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
+    await viewer.evaluate(async (viewer) => {
+      const iteration = () =>
+        new Promise((done) => viewer.addEventListener('cvt-iteration', done, { once: true }));
+      viewer.setAttribute('cvt-iterations', 1000);
+      viewer.playCvt();
+      await iteration();
+      viewer.sites = 20;
+      while (viewer.sites.face.length !== 20) await iteration();
+      viewer.pauseCvt();
+    });
+    await viewer.settled();
+    await viewer.after('error', () =>
+      viewer.evaluate((viewer) => viewer.setAttribute('sites', 'many')),
+    );
+    assert.equal(await viewer.evaluate((viewer) => viewer.getAttribute('sites')), '20');
+    await viewer.after('diagram', () => viewer.set({ sites: 12 }));
+    assert.equal(await viewer.siteCount(), 12);
+  });
+
   test('labels whose sites were removed from a diagram are no sites', async () => {
     const viewer = await browser.open({ path: 'one.html' });
     const sites = { face: [3, -1, 9], bary: [1, 0, 0, 0, 0, 0, 1, 0, 0] };

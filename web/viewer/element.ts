@@ -327,6 +327,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
   }
 
   async #open(read: Reader): Promise<boolean> {
+    this.attributeValues.ask();
     return (await this.#started()?.open(read)) ?? false;
   }
 
@@ -429,13 +430,12 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     if (changed.has('up')) viewer.stage.camera.up = this.attributeValues.up;
     if (changed.has('camera-orbit')) viewer.orbit(); // by the axis that points up now
     if (changed.has('metric') || changed.has('detail')) viewer.configure();
-    // After a failure or a cancel, attributes go back to what is shown.
-    const isNews = (names: readonly string[]) =>
-      names.some((name) => changed.has(name)) &&
-      (this.attributeValues.differ(names) || viewer.session.status !== 'ready');
+    const { attributeValues } = this;
     if (changed.has('src') && this.src) void this.load(this.src);
-    else if (isNews(openingAttributes)) void viewer.rebuild();
-    else if (isNews(samplingAttributes)) void viewer.sampleSites(this.attributeValues.siteSampling);
+    else if (attributeValues.areNew(openingAttributes)) void viewer.rebuild();
+    else if (attributeValues.areNew(samplingAttributes))
+      void viewer.sampleSites(attributeValues.siteSampling);
+    attributeValues.ask();
   }
 }
 

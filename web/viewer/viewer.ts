@@ -307,7 +307,6 @@ export class Viewer implements Workpiece {
         this.#adoptDensity();
       },
       diagramChanged: (shown, milliseconds, update) => {
-        if (!this.session.sampling.isRunning) this.attributes.keep(samplingAttributes);
         this.#showDiagram(shown, update);
         this.#emit('diagram', factsOf(shown, milliseconds));
       },
@@ -320,7 +319,14 @@ export class Viewer implements Workpiece {
         this.#emit('cvt-iteration', { iteration, energy, relativeEnergy, largestMove });
       },
       cvtStatusChanged: (status) => this.#emit('cvt-change', { status }),
-      settingsRestored: (settings) => this.attributes.restore(settings),
+      settingsRestored: (settings) => {
+        const { opening, sampling } = this.session;
+        // What is still under way has not failed.
+        this.attributes.restore(settings, [
+          ...(opening.isRunning ? [] : openingAttributes),
+          ...(sampling.isRunning ? [] : samplingAttributes),
+        ]);
+      },
       statusChanged: (status) => {
         this.#emit('status-change', { status });
         this.#derived.update();
@@ -394,6 +400,7 @@ export class Viewer implements Workpiece {
   }
 
   #showDiagram(shown: ShownDiagram, { changes, prepared }: DrawingUpdate): void {
+    if (!this.session.sampling.isRunning) this.attributes.keep(samplingAttributes);
     const { diagram, summary, sites } = shown;
     const drawing = this.#model?.drawing;
     if (changes && diagram && summary)

@@ -3,7 +3,12 @@
 // The values of the element's attributes.
 
 import type { CvtMethod, GltfLimits, Metric, Orientation, Sampling } from 'geodesic-voronoi';
-import { attributeDefaults, attributeOf } from './attribute_defaults.js';
+import {
+  attributeDefaults,
+  attributeOf,
+  openingAttributes,
+  samplingAttributes,
+} from './attribute_defaults.js';
 import { type CameraOrbit, parseCameraOrbit } from '../stage/camera_orbit.js';
 import type { CvtSettings } from '../session/cvt_run.js';
 import { type Layer, layers } from '../drawing/model_drawing.js';
@@ -24,6 +29,8 @@ export class Attributes {
   readonly #element: HTMLElement;
   /** The texts of the attributes by which the shown model and its sites were made. */
   readonly #kept = new Map<string, string | null>();
+  /** Their texts when a model or sites were asked for last. */
+  readonly #asked = new Map<string, string | null>();
 
   constructor(element: HTMLElement) {
     this.#element = element;
@@ -31,22 +38,42 @@ export class Attributes {
 
   /** Notes that what is shown was made by these attributes as they are now. */
   keep(names: readonly string[]): void {
-    for (const name of names) this.#kept.set(name, this.#element.getAttribute(name));
+    this.#note(this.#kept, names);
+  }
+
+  /** Notes that a model or sites are asked for by the attributes as they are now. */
+  ask(): void {
+    this.#note(this.#asked, [...openingAttributes, ...samplingAttributes]);
   }
 
   /** Whether these attributes ask for something else than is shown. */
   differ(names: readonly string[]): boolean {
-    return names.some((name) => this.#element.getAttribute(name) !== this.#kept.get(name));
+    return this.#differFrom(this.#kept, names);
   }
 
-  /** Sets attributes back to what is shown, after a failure or a cancel. */
-  restore(diagram: DiagramSettings): void {
+  /** Whether these attributes ask for something else than was asked for last. */
+  areNew(names: readonly string[]): boolean {
+    return this.#differFrom(this.#asked, names);
+  }
+
+  /** Sets attributes, of these names and the diagram's, back to what is shown: nothing is asked for by that. */
+  restore(diagram: DiagramSettings, names: readonly string[]): void {
     this.#element.setAttribute('metric', diagram.metric);
     this.#element.setAttribute('detail', String(diagram.detail));
     for (const [name, text] of this.#kept) {
+      if (!names.includes(name)) continue;
       if (text === null) this.#element.removeAttribute(name);
       else this.#element.setAttribute(name, text);
+      this.#asked.set(name, text);
     }
+  }
+
+  #note(texts: Map<string, string | null>, names: readonly string[]): void {
+    for (const name of names) texts.set(name, this.#element.getAttribute(name));
+  }
+
+  #differFrom(texts: ReadonlyMap<string, string | null>, names: readonly string[]): boolean {
+    return names.some((name) => this.#element.getAttribute(name) !== texts.get(name));
   }
 
   get label(): string {

@@ -46,7 +46,7 @@ export class Session {
   readonly #history = new SiteHistory();
   readonly #diagram: LiveDiagram;
   readonly #cvt: CvtPlayer;
-  readonly #opening = new RestartableTask();
+  readonly opening = new RestartableTask();
   readonly sampling = new RestartableTask();
   #lease: LibraryLease | undefined;
   /** How the present model was opened, and with which library. */
@@ -117,7 +117,7 @@ export class Session {
   /** Opens a model with so many sites sampled; resolves to whether it is there now. */
   open(read: Reader, how: Opening): Promise<boolean> {
     this.#hasFailed = false;
-    return this.#outcome(this.#opening, 'loadfailure', async (signal) => {
+    return this.#outcome(this.opening, 'loadfailure', async (signal) => {
       const lease = (this.#lease ??= new LibraryLease());
       const library = await lease.library.catch((error) => {
         this.#discard(lease);
@@ -261,7 +261,7 @@ export class Session {
 
   /** Gives up what is under way. */
   cancel(): void {
-    this.#opening.cancel();
+    this.opening.cancel();
     this.sampling.cancel();
     if (this.#cvt.isPlaying) this.#cvt.pause();
     else this.#diagram.cancel();
@@ -316,7 +316,7 @@ export class Session {
   #request(options?: { patient: boolean }): void {
     if (!this.hasStopped) this.#diagram.request(this.sites, options);
     // A model that is being opened takes the sites as they are in the end.
-    else if (!this.#opening.isRunning) void this.reopen();
+    else if (!this.opening.isRunning) void this.reopen();
   }
 
   #requestFailed(request: DiagramRequest, error: unknown): void {
@@ -358,7 +358,7 @@ export class Session {
   }
 
   #statusNow(): Status {
-    if (this.#opening.isRunning) return 'loading';
+    if (this.opening.isRunning) return 'loading';
     if (this.#cvt.isPlaying) return 'iterating';
     if (this.#diagram.isComputing || this.sampling.isRunning) return 'computing';
     if (this.mesh) return 'ready';
