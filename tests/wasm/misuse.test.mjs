@@ -152,6 +152,7 @@ test('mesh', async () => {
   );
   await refused([new URL('file:///a.glb')], (source) => gvd.mesh(source), /URL: fetch or read the/);
   await refused(['a.glb'], (source) => gvd.mesh(source), /"a\.glb": fetch or read the/);
+  await refused([transferred.buffer], (source) => gvd.mesh(source), /bytes .* were transferred/);
   await refused(
     ['v 0 0 0\n'.repeat(1e4)],
     (source) => gvd.mesh(source),

@@ -192,7 +192,7 @@ function requireNoOtherIndices(source: MeshArrays): void {
 
 export function toFiles(source: unknown): ModelFiles {
   if (isModelFile(source)) return { '': source };
-  if (isA(source, 'ArrayBuffer')) return { '': new Uint8Array(source) };
+  if (isA(source, 'ArrayBuffer')) return { '': toBytes(source) };
   const advice = adviceOn(source);
   if (isA(source, 'Object') && advice === '') {
     const files = { ...source };
@@ -201,6 +201,15 @@ export function toFiles(source: unknown): ModelFiles {
   throw invalidArgument(
     `a mesh is made from the bytes of a file, from files by their paths, or from { positions, indices }; this is ${show(source)}${advice}`,
   );
+}
+
+/** All bytes of a buffer, which has none any more if it was transferred. */
+function toBytes(buffer: ArrayBuffer): Uint8Array {
+  try {
+    return new Uint8Array(buffer);
+  } catch {
+    throw invalidArgument('the bytes of the file were transferred: there are none any more');
+  }
 }
 
 /** What is nearly a mesh: a file's text or address, its bytes to come, or an object of three.js. */
