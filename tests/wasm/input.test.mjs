@@ -356,6 +356,24 @@ f 1 2 3 # comment\nf 1 2 3 4 #c\nf 1 2# a line\n#f 1 2 3\nl 1 2 # too\nv 1 1 0\n
   );
 });
 
+test('the mark of UTF-8 before a text does not matter', async () => {
+  const shape = octahedron();
+  const { json, buffer } = gltf(shape);
+  json.buffers[0].uri = `data:;base64,${buffer.toString('base64')}`;
+  const texts = {
+    glTF: JSON.stringify(json),
+    OBJ: meshObj(shape),
+    OFF: meshOff(shape),
+    PLY: meshPly(shape, 'ascii'),
+    STL: meshTextStl(shape),
+  };
+  for (const [format, text] of Object.entries(texts)) {
+    const { info } = await gvd.mesh(Buffer.concat([bytesOf('\ufeff'), Buffer.from(text)]));
+    assert.equal(info.origin.format, format);
+    assert.equal(info.inputFaces, 8);
+  }
+});
+
 test('PLY: triangle strips, old names of types, and elements that do not matter', async () => {
   const ply = `ply\r\nformat ascii 1.0\r\nelement range 2\r\nproperty list uchar char other
 element vertex 5\nproperty float32 z\nproperty float x\nproperty float y

@@ -22,7 +22,7 @@ export function formatOf(bytes: Uint8Array, name: string): FileFormat {
   const text = head.replace(/^(ï»¿)?(\s|#[^\r\n]*[\r\n])*/, '');
   if (head.startsWith('glTF') || text.startsWith('{')) return 'glTF';
   if (head.startsWith('PK\x03\x04') || head.startsWith('PK\x05\x06')) return 'zip';
-  if (/^ply[ \t]*[\r\n]/.test(head)) return 'PLY';
+  if (/^ply[ \t]*[\r\n]/.test(text)) return 'PLY';
   if (/^((ST|[CN4n])*OFF\b|\d+[ \t]+\d+[ \t]+\d+\s)/.test(text)) return 'OFF';
   const isBinary = head.includes('\0');
   const isTextStl = /^solid\b/i.test(text) && /\bfacet\b|\bendsolid\b/i.test(text);
