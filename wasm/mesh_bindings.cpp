@@ -216,9 +216,10 @@ GVD_ABI Answer* shortestPath(const MeshHandle* handle, Ints fromFace, Doubles fr
   return guarded([&] {
     const std::shared_ptr<const TriangleMesh> mesh = handle->mesh;
     return answerOf(
-        startShortestPath(*mesh,
-                          naming("from", [&] { return pointFromInput(*mesh, fromFace, fromBary); }),
-                          naming("to", [&] { return pointFromInput(*mesh, toFace, toBary); })),
+        startShortestPath(
+            *mesh,
+            naming("from", std::nullopt, [&] { return pointFromInput(*mesh, fromFace, fromBary); }),
+            naming("to", std::nullopt, [&] { return pointFromInput(*mesh, toFace, toBary); })),
         [mesh](const std::vector<SurfacePoint>& path) { return pathRecord(*mesh, path); });
   });
 }

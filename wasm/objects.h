@@ -115,22 +115,14 @@ class PointLookup : public SlicedWork<Record> {
 Metric metricOf(Text name);
 WorstRegion worstRegionOf(Text name);
 
-/// Calls `f`; its error, if any, is said to be about `what`, or number `index` of these.
+/// Calls `f`; its error, if any, is said to be about `what`, or number `index` of several.
 template <class F>
-auto naming(const char* what, F&& f) -> decltype(f()) {
+auto naming(const char* what, std::optional<std::size_t> index, F&& f) -> decltype(f()) {
   try {
     return f();
   } catch (const Error& error) {
-    throw Error(error.code(), std::string(what) + ": " + error.what());
-  }
-}
-template <class F>
-auto naming(const char* what, std::size_t index, F&& f) -> decltype(f()) {
-  try {
-    return f();
-  } catch (const Error& error) {
-    throw Error(error.code(),
-                std::string(what) + " " + std::to_string(index) + ": " + error.what());
+    const std::string number = index ? " " + std::to_string(*index) : "";
+    throw Error(error.code(), what + number + ": " + error.what());
   }
 }
 
