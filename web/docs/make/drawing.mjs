@@ -3,14 +3,11 @@
 // Drawings of a mesh as SVG: seen from afar, in parallel projection, what is hidden left out. The same
 // input gives the same text.
 
+import { escaped } from './markup.mjs';
+
 /** A tenth of a pixel: enough for the eye, and texts stay short. */
 const number = (x) => String(Number(x.toFixed(1)));
 const place = ({ x, y }) => `${number(x)},${number(y)}`;
-const escaped = (text) =>
-  String(text).replace(
-    /[&<>"]/g,
-    (c) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[c],
-  );
 
 /** Colours by class, in light and in dark: an SVG in a page follows the reader's preference. */
 const style = `

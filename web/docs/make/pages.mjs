@@ -6,6 +6,7 @@ import { cpSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node
 import { dirname, join, relative, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { Marked } from 'marked';
+import { escaped } from './markup.mjs';
 
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
 const folder = here('..');
@@ -149,9 +150,6 @@ function addressOf(href, source, from) {
 const scrollable = (label) => `tabindex="0" role="group" aria-label="${label}"`;
 
 const codeBlock = (text) => `<pre ${scrollable('Code')}><code>${escaped(text)}</code></pre>\n`;
-
-const escaped = (text) =>
-  text.replace(/[&<>"]/g, (c) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[c]);
 
 function framed({ title, target, navigation, content }) {
   const items = navigation.map((item) => {
