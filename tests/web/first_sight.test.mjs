@@ -35,10 +35,7 @@ suite('first sight', () => {
       viewer.evaluate(({ regionAreas }) => [...regionAreas].sort((a, b) => a - b));
     const even = await areas();
     assert.ok(even.at(-1) / even[0] < 3, `areas from ${even[0]} to ${even.at(-1)}`);
-    assert.match(
-      await viewer.page.locator('#caption').textContent(),
-      /Each colour is .+\sClick the model/s,
-    );
+    assert.match(await viewer.page.locator('#caption').textContent(), /Each colour is .+\sClick/s);
 
     await viewer.after('diagram', () => viewer.page.click('#undo'));
     const random = await areas();
@@ -308,6 +305,20 @@ suite('first sight', () => {
 
   test('no module imports the script of a worker', () =>
     assertWorkersAreNotImported(new URL('../../build/page/', import.meta.url).pathname));
+
+  test('the sentence on the view says what can be done there', async () => {
+    const viewer = await browser.open();
+    const seen = () => viewer.page.locator('#caption').innerText();
+    const press = (selector) =>
+      viewer.page.evaluate((selector) => document.querySelector(selector).click(), selector);
+    assert.match(await seen(), /^Click the model to add a site, or drag one\.$/m);
+    await viewer.after('diagram', () => press('#clear'));
+    assert.equal(await seen(), 'Click the model to add a site.');
+    await press('#density-paint');
+    assert.equal(await seen(), 'Drag on the model to paint, beside it to turn it.');
+    await press('#density-paint');
+    assert.equal(await seen(), 'Click the model to add a site.');
+  });
 
   test('a library that could not be loaded is there for the next model', async () => {
     const viewer = await browser.visit({

@@ -229,6 +229,10 @@ suite('by fingers', () => {
   });
 
   test('buttons and sentences do not lie on the model, the sheet open or not', async () => {
+    assert.match(
+      await viewer.page.locator('#caption').innerText(),
+      /^Tap the model to add a site/m,
+    );
     for (const isOpen of [false, true]) {
       await viewer.still();
       const view = await viewer.page.locator('geodesic-voronoi').boundingBox();

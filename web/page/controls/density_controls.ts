@@ -14,8 +14,8 @@ export function setUpDensityControls(viewer: GeodesicVoronoiElement): void {
   const paint = byId('density-paint', HTMLInputElement);
   const settings = byId('density-settings', HTMLElement);
   const hint = byId('hint', HTMLElement);
+  const paintHint = byId('paint-hint', HTMLElement);
   const caption = byId('caption', HTMLElement);
-  const ofSites = hint.textContent;
   paint.addEventListener('change', () => {
     viewer.setAttribute('tool', paint.checked ? 'density' : 'sites');
     settings.hidden = !paint.checked;
@@ -23,9 +23,8 @@ export function setUpDensityControls(viewer: GeodesicVoronoiElement): void {
       caption.hidden = false;
       viewer.layers = viewer.layers.filter((layer) => !covering.includes(layer));
     }
-    hint.textContent = paint.checked
-      ? 'Drag on the model to paint, beside it to turn it.'
-      : ofSites;
+    hint.hidden = paint.checked;
+    paintHint.hidden = !paint.checked;
   });
   endPainting(viewer, paint);
   bindAttributes(viewer, 'brush-density', 'brush-size');

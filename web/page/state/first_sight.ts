@@ -40,10 +40,6 @@ function enableWithModel(viewer: GeodesicVoronoiElement): void {
  */
 function endCaption(viewer: GeodesicVoronoiElement): void {
   const caption = byId('caption', HTMLElement);
-  if (matchMedia('(pointer: coarse)').matches) {
-    const hint = byId('hint', HTMLElement);
-    hint.textContent = (hint.textContent ?? '').replace('Click', 'Tap');
-  }
   new MutationObserver(() => {
     const { layers } = viewer;
     const hidesRegions = layers.includes('distances') || layers.includes('original');
@@ -52,9 +48,9 @@ function endCaption(viewer: GeodesicVoronoiElement): void {
   listen(viewer, 'exploded', (parts) => {
     if (parts) caption.hidden = true;
   });
-  const onColours = caption.querySelector('span')!;
+  const ofSites = [caption.querySelector('span')!, byId('drag-hint', HTMLElement)];
   listen(viewer, 'sites-change', ({ count, selected }) => {
-    onColours.hidden = count === 0;
+    for (const part of ofSites) part.hidden = count === 0;
     if (selected >= 0) caption.hidden = true;
   });
 }
