@@ -7,6 +7,7 @@ import { createHash } from 'node:crypto';
 import { suite, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { torus } from '../../web/page/samples/shapes.mjs';
+import { gltf } from '../wasm/meshes.mjs';
 import { meshObj } from '../wasm/model_files.mjs';
 import { browserForTests } from './browser.mjs';
 
@@ -20,6 +21,11 @@ const importMap = JSON.stringify({
   },
 });
 const model = 'src="/samples/torus.glb" sites="12"';
+
+const tetrahedron = gltf({
+  positions: [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1],
+  indices: [0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3],
+});
 
 function page(body, head = standalone) {
   return {
@@ -112,6 +118,19 @@ const browser = await browserForTests({
       scenes: [{ nodes: [0] }],
       meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }],
       accessors: [{ componentType: 5126, count: 20_000_001, type: 'VEC3' }],
+    }),
+  },
+  '/split.gltf': {
+    html: JSON.stringify({
+      ...tetrahedron.json,
+      bufferViews: tetrahedron.json.bufferViews.map(({ byteLength }, buffer) => ({
+        buffer,
+        byteLength,
+      })),
+      buffers: tetrahedron.json.bufferViews.map(({ byteLength }, i) => ({
+        byteLength,
+        uri: `${i}.bin`,
+      })),
     }),
   },
   '/pentagon.obj': { html: 'v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 2 0\nv 0 1 0\nf 1 2 3 4 5\n' },
@@ -1188,6 +1207,25 @@ suite('attributes and events', () => {
     );
     assert.match(refusal.message, /^The sites cannot be placed: .*-5/);
     assert.equal(await viewer.siteCount(), 12);
+  });
+
+  test('the files that a model refers to are fetched at the same time', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
+    const { buffer, json } = tetrahedron;
+    const waiting = [];
+    await viewer.page.route('**/*.bin', (route) => {
+      waiting.push(route);
+      if (waiting.length < json.bufferViews.length) return;
+      for (const each of waiting) {
+        const [, i] = /(\d)\.bin$/.exec(each.request().url());
+        const { byteOffset, byteLength } = json.bufferViews[i];
+        void each.fulfill({ body: buffer.subarray(byteOffset, byteOffset + byteLength) });
+      }
+    });
+    const { info } = await viewer.after('load', () =>
+      viewer.evaluate((viewer) => void viewer.load('/split.gltf')),
+    );
+    assert.equal(info.faces, 4);
   });
 
   test('a file alone is opened as a list of one', async () => {

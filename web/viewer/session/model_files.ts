@@ -73,12 +73,12 @@ export async function fetchModelFiles(
   const name = nameOf(url);
   const fetchBeside = (uri: string, signal: AbortSignal) => fetchBytes(urlOf(uri, url), signal);
   const bytes = await fetchBytes(url, signal, onProgress);
-  const files = new Map([[name, bytes]]);
-  for (const uri of gltfResourceUris(bytes)) {
-    files.set(uri, await fetchBeside(uri, signal));
-  }
+  const further = gltfResourceUris(bytes).map(
+    async (uri) => [uri, await fetchBeside(uri, signal)] as const,
+  );
+  const files = Object.fromEntries([[name, bytes], ...(await Promise.all(further))]);
   const file = url.hash ? decoded(url.hash.slice(1)) : undefined;
-  return { name, files: Object.fromEntries(files), file, fetchBeside };
+  return { name, files, file, fetchBeside };
 }
 
 function urlOf(address: string, base: string | URL = document.baseURI): URL {
