@@ -778,6 +778,25 @@ suite('attributes and events', () => {
     assert.equal(await viewer.siteCount(), 13);
   });
 
+  test('a cancel between two edits leaves the sites of the diagram that is shown', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
+    const place = (face) => ({ face, bary: [1, 0, 0] });
+    const edit = (face) => viewer.evaluate((viewer, place) => viewer.addSite(place), place(face));
+    await viewer.after('diagram', () => edit(7)); // whole, and then changed by what differs
+    await viewer.evaluate(
+      (viewer, [first, second]) => {
+        viewer.moveSite(0, first);
+        viewer.addSite(second);
+        viewer.cancel();
+      },
+      [place(900), place(9000)],
+    );
+    await viewer.settled();
+    const shown = await viewer.evaluate(({ diagram }) => [...diagram.sites.face]);
+    assert.deepEqual((await viewer.sites()).face, shown);
+    assert.equal(shown.length, 13);
+  });
+
   test('sites that replace those of a tessellation can be replaced by as many as before', async () => {
     const viewer = await browser.open({ path: 'one.html' });
     await viewer.evaluate(async (viewer) => {
