@@ -139,6 +139,17 @@ test('one site: the whole surface is its region', async () => {
   assert.deepEqual(regions[0].neighbours, []);
 });
 
+test('copies of a region have all that it has', async () => {
+  const mesh = await gvd.mesh(grid(3));
+  const [region] = (await mesh.voronoi({ vertex: [0, 15] })).regions;
+  const { label, area, neighbours, loops } = region;
+  const all = { label, area, neighbours, loops };
+  assert.deepEqual({ ...region }, all);
+  assert.deepEqual(structuredClone(region), all);
+  const lists = { ...all, loops: loops.map((loop) => [...loop]) };
+  assert.deepEqual(JSON.parse(JSON.stringify(region)), lists);
+});
+
 test('sites given by vertices are those given by faces', async () => {
   const mesh = await gvd.mesh(grid(3));
   const { sites } = await mesh.voronoi({ vertex: [0, 15] });

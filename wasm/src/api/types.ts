@@ -62,7 +62,7 @@ export type CvtStateWithData = CvtState & { data: DiagramData };
 /** A state if `diagrams` is set. */
 export type CvtStateWithDiagram = CvtStateWithData & { diagram: Diagram };
 
-/** One region of a diagram, over the diagram's arrays; each property is computed when asked for. */
+/** One region of a diagram. */
 export interface Region {
   readonly label: number;
   /** In the input's units, squared. */
