@@ -270,6 +270,19 @@ suite('the page', () => {
     assert.equal(await viewer.page.locator('#samples option:checked').textContent(), 'grid.gltf');
   });
 
+  test('an STL opens with the third axis upwards, and keeps to another one that was chosen', async () => {
+    const axis = () => viewer.page.getAttribute('#up', 'aria-label');
+    const open = (files) => viewer.after('diagram', () => choose(files));
+    await open({ 'a.stl': meshBinaryStl(octahedron()) });
+    assert.equal(await axis(), 'Upward axis: Z');
+    await viewer.page.click('#up');
+    const weld = () => viewer.evaluate((element) => element.setAttribute('weld', '1e-6'));
+    await viewer.after('diagram', weld);
+    assert.equal(await axis(), 'Upward axis: X');
+    await open({ 'a.obj': meshObj(octahedron()) });
+    assert.equal(await axis(), 'Upward axis: Y');
+  });
+
   test('models of other formats, compressed ones, zips and folders open', async () => {
     const opens = async (name, change) => {
       await viewer.after('diagram', change);

@@ -39,6 +39,10 @@ function setUpAxis(viewer: GeodesicVoronoiElement): void {
     button.ariaLabel = `Upward axis: ${letter}`;
   };
   watchAttributes(viewer, ['up'], tell);
+  // Programs for printers and machine parts, which write STL files, have the third axis upwards.
+  listen(viewer, 'load', ({ info }) => {
+    if (info.origin.format === 'STL' && !viewer.hasAttribute('up')) viewer.setAttribute('up', 'z');
+  });
 }
 
 function setUpFullscreen(): void {
