@@ -713,14 +713,16 @@ suite('the page', () => {
       (await text(viewer, '#readout')).trim(),
       new RegExp(`^Region ${first} · area \\S+ · \\S+ from its site$`),
     );
-    // What is rounded off is no distance.
-    await viewer.evaluate(
-      (viewer, detail) => {
+    const hover = (detail) =>
+      viewer.evaluate((viewer, detail) => {
         viewer.dispatchEvent(new CustomEvent('hover', { detail }));
-      },
-      { ...hovered, distance: 2e-5 * Math.sqrt(hovered.area) },
-    );
+      }, detail);
+    // What is rounded off is no distance.
+    await hover({ ...hovered, distance: 2e-5 * Math.sqrt(hovered.area) });
     assert.match(await text(viewer, '#readout'), / · 0 from its site/);
+    // A region of a country, in metres.
+    await hover({ ...hovered, area: 987_654_321, distance: 12_345.6 });
+    assert.match(await text(viewer, '#readout'), / · area 988,000,000 · 12,300 from its site/);
   });
 
   test('the dual is drawn and repaired, regions in an exploded view, and both can be taken away', async () => {
