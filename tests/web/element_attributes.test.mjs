@@ -56,9 +56,11 @@ suite('attributes and properties', () => {
       document.body.append(element);
       await drawn;
       const { sites, layers, exploded } = element;
-      return { count: sites.face.length, layers, exploded };
+      element.setAttribute('layers', ['regions', 'dual']); // as Svelte does on a server
+      return { count: sites.face.length, layers, exploded, inAttribute: element.layers };
     });
-    assert.deepEqual(made, { count: 12, layers: ['regions', 'sites'], exploded: 0.5 });
+    const expected = { layers: ['regions', 'sites'], inAttribute: ['regions', 'dual'] };
+    assert.deepEqual(made, { count: 12, exploded: 0.5, ...expected });
   });
 
   test('properties that are set to nothing, as React does when they go, remove their attributes', async () => {

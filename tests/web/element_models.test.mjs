@@ -7,7 +7,7 @@ import { suite, test } from 'node:test';
 import { torus } from '../../web/page/samples/shapes.mjs';
 import { meshObj } from '../wasm/model_files.mjs';
 import { browserForTests } from './browser.mjs';
-import { elementPages, emptyPage, tetrahedron } from './element_pages.mjs';
+import { elementPages, emptyPage, model, tetrahedron } from './element_pages.mjs';
 
 const browser = await browserForTests(elementPages);
 
@@ -104,6 +104,7 @@ suite('models of the element', () => {
     for (const [limits, why] of [
       ['maxVertices=4', /has more than 4 vertices\.$/],
       ['vertices=9', /the name of a limit is "vertices", not/],
+      ['maxVertices=3=4', /limits\.maxVertices is "3=4", not/],
       ['maxVertices', /limits\.maxVertices is "undefined", not/],
     ])
       assert.match((await viewer.after('error', () => open(limits))).message, why);

@@ -96,7 +96,7 @@ export class Attributes {
   }
 
   get layers(): readonly Layer[] {
-    const wanted = new Set(this.#text('layers').split(/\s+/));
+    const wanted = new Set(this.#text('layers').split(/[\s,]+/));
     return layers.filter((layer) => wanted.has(layer));
   }
 
@@ -134,7 +134,7 @@ export class Attributes {
   /** As the command has them: `maxVertices=N,maxTriangles=N`. */
   get #limits(): GltfLimits {
     const given = (this.#given('limits') ?? '').split(',').filter((each) => each.trim() !== '');
-    const pairs = given.map((each) => each.split('='));
+    const pairs = given.map((each) => each.split(/=(.*)/));
     return Object.fromEntries(pairs.map(([name, most]) => [name.trim(), argumentOf(String(most))]));
   }
 
