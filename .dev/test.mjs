@@ -71,12 +71,13 @@ const runners = [
     closing: (text) => ctestClosing('build/sanitized', text),
   },
 ];
+
 /** Several files are compiled as one, which takes half of the time. What is measured and shipped is not. */
 const sanitized = [
   '-DCMAKE_BUILD_TYPE=Debug',
   '-DCMAKE_UNITY_BUILD=ON',
   '-DCMAKE_UNITY_BUILD_BATCH_SIZE=16',
-  // Whose sanitizers libFuzzer works with.
+  // libFuzzer is part of Clang.
   '-DCMAKE_CXX_COMPILER=clang++',
   '-DGVD_SANITIZE=address,undefined,float-cast-overflow,fuzzer-no-link',
   '-DGVD_PROPERTY_CASES=500',
