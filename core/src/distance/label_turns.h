@@ -63,7 +63,7 @@ class LabelTurns {
   struct Turn {
     int label;
     enum { kStart, kResume, kRequire } how;
-    std::vector<int> faces;  ///< to spread on to
+    std::vector<int> faces;  ///< to spread on to; empty once the turn has begun
   };
 
   void begin(long& budget);

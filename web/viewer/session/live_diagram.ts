@@ -142,7 +142,7 @@ export class LiveDiagram {
       : prepared?.summary;
     this.shown = { ...request, diagram, summary };
     this.#listener.diagramChanged(this.shown, milliseconds, { changes, prepared });
-    // A change cannot be given up, but what was asked for after it may have been.
+    // A change is carried out to its end; a cancel in the meantime gives up the request after it.
     task.signal?.throwIfAborted();
   }
 }
