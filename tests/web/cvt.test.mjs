@@ -252,7 +252,7 @@ suite('the centroidal tessellation', () => {
   test('a density is plainly seen, and random sites follow it', async () => {
     await viewer.evaluate((viewer) => {
       const x = viewer.mesh.positions.filter((_, i) => i % 3 === 0);
-      const middle = [...x].sort((a, b) => a - b)[x.length / 2];
+      const middle = [...x].sort((a, b) => a - b)[x.length >> 1];
       viewer.isDense = (position) => position[0] > middle;
       viewer.density = x.map((each) => (each > middle ? 100 : 1));
     });
