@@ -3,6 +3,8 @@
 // Eivind Lyche Melvær, Martin Reimers. Geodesic Polar Coordinates on Polygonal Meshes. 2012
 #include "distance/dgpc/unfolding_sweep.h"
 
+#include <utility>
+
 #include "base/tolerances.h"
 #include "distance/site_frame.h"
 #include "mesh/face_layout.h"
@@ -13,12 +15,6 @@ namespace gvd::dgpc {
 
 using Eigen::Vector2d;
 
-namespace {
-
-constexpr std::array<int, 2> kFromSite = {-1, -1};
-
-}  // namespace
-
 void UnfoldingSweep::start(const SurfacePoint& site, std::optional<double> reach) {
   reach_ = reach;
   for (const int v : reached_) vertices_[v].distance = vertices_[v].improvesBelow = kInfinity;
@@ -28,14 +24,14 @@ void UnfoldingSweep::start(const SurfacePoint& site, std::optional<double> reach
   if (incidence.corner >= 0) {
     const int vertex = face.vertices[incidence.corner];
     const std::span<const int> fan = mesh_.fan(vertex);
-    offer(vertex, 0, {1, 0}, kFromSite);
+    offer(vertex, 0, {1, 0});
     double angle = angleOfOutgoing(mesh_, site, fan.front());
     for (const int h : fan) {
-      offer(mesh_.tip(h), mesh_.length(h), unitVector(angle), kFromSite);
+      offer(mesh_.tip(h), mesh_.length(h), unitVector(angle));
       angle += mesh_.cornerAngle(h);
     }
     if (const int last = TriangleMesh::previous(fan.back()); mesh_.twin(last) < 0)
-      offer(mesh_.tail(last), mesh_.length(last), unitVector(angle), kFromSite);
+      offer(mesh_.tail(last), mesh_.length(last), unitVector(angle));
     return;
   }
   const int side = incidence.side, twin = side >= 0 ? face.twins[side] : -1;
@@ -67,7 +63,7 @@ void UnfoldingSweep::startInFace(const SurfacePoint& site, const Vector2d& first
   for (int i = 0; i < 3; ++i) {
     const Vector2d way = wayToCorner(face, 0, site.bary, i);
     const double length = way.norm();
-    offer(face.vertices[i], length, turnedBy(way / length, firstSide), kFromSite);
+    offer(face.vertices[i], length, turnedBy(way / length, firstSide));
   }
 }
 
@@ -85,8 +81,7 @@ bool UnfoldingSweep::step(long& budget) {
   return true;
 }
 
-void UnfoldingSweep::improve(int v, double distance, const Vector2d& direction,
-                             const Origin& origin) {
+void UnfoldingSweep::improve(int v, double distance, const Vector2d& direction) {
   Vertex& own = vertices_[v];
   if (own.distance < kInfinity) {
     ++own.improvements;
@@ -98,7 +93,6 @@ void UnfoldingSweep::improve(int v, double distance, const Vector2d& direction,
   own.improvesBelow =
       distance * (1 - kDistanceTolerance * static_cast<double>(1LL << own.improvements));
   own.direction = direction;
-  own.origin = origin;
   own.isQueued = distance <= reach_.value_or(own.reach);
   if (!own.isQueued) return;
   // Older entries of the vertex may remain in the queue: `step` acts on the first that it meets.
@@ -116,30 +110,38 @@ void UnfoldingSweep::improve(int v, double distance, const Vector2d& direction,
   const Vertex &atTail = vertices_[tail], &atTip = vertices_[tip];
   const double most = vertices_[apex].improvesBelow;
   if (!mayBeNearer(face, side, atTail.distance, atTip.distance, most)) return;
-  if (atTail.followsFrom(apex) || atTip.followsFrom(apex)) return;
   const auto unfolding = unfold(face, side, atTail.distance, atTip.distance);
   if (!unfolding) return;
   const double squared = unfolding->toApex.squaredNorm();
   if (squared < most * most)
-    offer(apex, std::sqrt(squared), directionToApex(*unfolding, atTail, atTip), {tail, tip});
+    offer(apex, std::sqrt(squared), directionToApex(*unfolding, atTail, atTip));
 }
 
 /// Passes on the distance of a vertex: across the sides that end at it in the faces around it, and
-/// along its edges, which comes last because a path across a side is shorter, if there is one.
-/// Unfolds nothing across a face while both other corners are queued: their distances may still
-/// fall, and they will unfold across the face themselves.
+/// along its edges, which comes last because a path across a side is shorter, if there is one. The
+/// faces come as a wavefront reaches them, by turns on both sides of the nearest neighbour: an apex
+/// that is given its distance across one side is an end of the next.
 void UnfoldingSweep::passOn(int v) {
   const Vertex& own = vertices_[v];
   const std::span<const int> fan = mesh_.fan(v);
-  for (const int h : fan) {
-    const TriangleMesh::Face& face = mesh_.face(TriangleMesh::faceOf(h));
-    const int i = h % 3, k = cornerBefore(i);
-    const int tip = face.vertices[cornerAfter(i)], tail = face.vertices[k];
-    if (!(vertices_[tip].isQueued && vertices_[tail].isQueued))
-      for (const int side : {i, k}) unfoldAcross(face, side);
-    offer(tail, own.distance + face.lengths[k], own.direction, {v, v});
+  const int size = static_cast<int>(fan.size());
+  const int nearest = nearestNeighbour(fan);
+  for (int n = 0; n < size; ++n) {
+    const int k = nearest + (n % 2 == 0 ? n / 2 : size - (n + 1) / 2);
+    const int h = fan[k < size ? k : k - size];
+    for (const int side : {h % 3, cornerBefore(h % 3)})
+      unfoldAcross(mesh_.face(TriangleMesh::faceOf(h)), side);
   }
-  offer(mesh_.tip(fan.front()), own.distance + mesh_.length(fan.front()), own.direction, {v, v});
+  for (const int h : fan) offer(mesh_.tip(h), own.distance + mesh_.length(h), own.direction);
+  const int last = TriangleMesh::previous(fan.back());
+  offer(mesh_.tail(last), own.distance + mesh_.length(last), own.direction);
+}
+
+/// The place in a fan of the halfedge that leads to the vertex nearest to the site.
+int UnfoldingSweep::nearestNeighbour(std::span<const int> fan) const {
+  const auto distanceAtTip = [&](int h) { return vertices_[mesh_.tip(h)].distance; };
+  const auto nearest = std::ranges::min_element(fan, {}, distanceAtTip);
+  return static_cast<int>(nearest - fan.begin());
 }
 
 /// The direction of the path to an apex: interpolated between the directions of the side's ends,

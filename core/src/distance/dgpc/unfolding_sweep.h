@@ -3,11 +3,10 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
-#include <utility>
+#include <span>
 #include <vector>
 
 #include "base/bucket_queue.h"
@@ -74,10 +73,10 @@ inline std::optional<Unfolding> unfold(const TriangleMesh::Face& face, int side,
 /// distances exact in the plane where the straight line is free, obtuse triangles included. A site
 /// costs time only for the part of the mesh that it reaches.
 ///
-/// Where paths bend, virtual sources are inconsistent, and two neighbouring vertices could lower
-/// each other's distances forever, a little each time. So a distance is not passed back to a vertex
-/// that it follows from. To end longer cycles, too, the relative improvement that a vertex requires
-/// doubles with each improvement, from 2^-41 on (`kDistanceTolerance`), which allows at most 41.
+/// Where paths bend, virtual sources are inconsistent, and neighbouring vertices could lower each
+/// other's distances forever, a little each time. So the relative improvement that a vertex
+/// requires doubles with each improvement, from 2^-41 on (`kDistanceTolerance`), which allows at
+/// most 41.
 class UnfoldingSweep {
  public:
   explicit UnfoldingSweep(const TriangleMesh& mesh)
@@ -110,30 +109,24 @@ class UnfoldingSweep {
   /// a distance that was passed on too early is passed on again once it falls.
   static constexpr double kBucketsPerEdge = kMostBucketsPerEdge;
 
-  /// The two ends of the side, or twice the vertex, that a distance follows from; -1 for a site.
-  using Origin = std::array<int, 2>;
-
   struct alignas(64) Vertex {
     double distance = kInfinity;
     double improvesBelow = kInfinity;  ///< for rounding, a little below the distance
     double reach = kInfinity;  ///< the largest distance that is passed on, whatever the site
     Eigen::Vector2d direction;
-    Origin origin;              ///< what the distance follows from
     std::uint8_t improvements;  ///< how often the distance has fallen
     bool isQueued;              ///< whether the distance is still to be passed on
-
-    /// Whether the distance follows from that of another vertex.
-    bool followsFrom(int other) const { return origin[0] == other || origin[1] == other; }
   };
 
   void startInFace(const SurfacePoint& site, const Eigen::Vector2d& firstSide);
   void startAcross(const SurfacePoint& site, int side);
   /// Inlined, because most offers are no improvement.
-  void offer(int vertex, double distance, const Eigen::Vector2d& direction, const Origin& origin) {
-    if (distance < vertices_[vertex].improvesBelow) improve(vertex, distance, direction, origin);
+  void offer(int vertex, double distance, const Eigen::Vector2d& direction) {
+    if (distance < vertices_[vertex].improvesBelow) improve(vertex, distance, direction);
   }
-  void improve(int vertex, double distance, const Eigen::Vector2d& direction, const Origin& origin);
+  void improve(int vertex, double distance, const Eigen::Vector2d& direction);
   void passOn(int vertex);
+  int nearestNeighbour(std::span<const int> fan) const;
   void unfoldAcross(const TriangleMesh::Face& face, int side);
   static Eigen::Vector2d directionToApex(const Unfolding& unfolding, const Vertex& tail,
                                          const Vertex& tip);
