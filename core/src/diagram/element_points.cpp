@@ -123,17 +123,23 @@ bool ElementPoints::isNearCorner(const FaceEnvelope& envelope, const Vertex& v) 
   return (size * bary.array() <= kNear).count() >= 2;
 }
 
-/// Whether any inner vertex is near another vertex.
-bool ElementPoints::areNear(std::span<const Vertex> vertices) const {
-  for (size_t i = 0; i < vertices.size(); ++i) {
-    if (vertices[i].kind != Vertex::kInside) continue;
-    const Eigen::Vector3d& inner = placed_[i].bary;
-    for (const PlacedVertex& other : placed_)
-      if (other.point >= 0 && &other != &placed_[i] &&
-          largestDifference(other.bary, inner) <= kNear)
-        return true;
+/// Whether any inner vertex is near another vertex. Each finds the inner vertices near it, sorted
+/// by one coordinate; every inner one finds itself.
+bool ElementPoints::areNear(std::span<const Vertex> vertices) {
+  inner_.clear();
+  for (size_t v = 0; v < vertices.size(); ++v)
+    if (vertices[v].kind == Vertex::kInside) inner_.push_back(placed_[v].bary);
+  std::sort(inner_.begin(), inner_.end(), [](const auto& a, const auto& b) { return a[0] < b[0]; });
+  size_t found = 0;
+  for (const PlacedVertex& vertex : placed_) {
+    if (vertex.point < 0) continue;
+    const double least = vertex.bary[0] - kNear, most = vertex.bary[0] + kNear;
+    auto inner = std::partition_point(inner_.begin(), inner_.end(),
+                                      [&](const auto& place) { return place[0] < least; });
+    for (; inner != inner_.end() && (*inner)[0] <= most; ++inner)
+      found += largestDifference(*inner, vertex.bary) <= kNear;
   }
-  return false;
+  return found > inner_.size();
 }
 
 /// Where slivers meet, an inner point may get the same place as another point that no segment joins

@@ -53,7 +53,7 @@ class ElementPoints {
   void mergeOnSide(int element, const FaceEnvelope& envelope, const Vertex& v, int point,
                    const Eigen::Vector3d& bary);
   bool isNearCorner(const FaceEnvelope& envelope, const Vertex& v) const;
-  bool areNear(std::span<const Vertex> vertices) const;
+  bool areNear(std::span<const Vertex> vertices);
   void tellApartInnerPoints(int face, std::span<const Vertex> vertices);
 
   const TriangleMesh& mesh_;
@@ -63,7 +63,9 @@ class ElementPoints {
 
   /// Per element, the first point in the list of those on its sides (`Point::side`), -1 for none.
   std::vector<int> firstPoint_;
-  std::vector<PlacedVertex> placed_;  ///< per vertex of the current element's envelope
+  // Of the current element's envelope.
+  std::vector<PlacedVertex> placed_;    ///< per vertex
+  std::vector<Eigen::Vector3d> inner_;  ///< places of the inner vertices, by one coordinate
 };
 
 }  // namespace gvd
