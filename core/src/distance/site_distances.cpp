@@ -21,10 +21,10 @@ std::unique_ptr<LabelSpread> makeSpread(const TriangleMesh& mesh, Metric metric,
 }
 
 /// The place of a point on a curve through a cube that passes through each of its eighths in turn,
-/// and so on in these (Morton order). `p` has coordinates from 0 to 1.
+/// and so on in these (Morton order). `p` has coordinates from -1 to 1.
 int placeOnCurve(const Eigen::Vector3d& p) {
   constexpr int kBits = 10;
-  const Eigen::Vector3i cell = (p * ((1 << kBits) - 1)).cast<int>();
+  const Eigen::Array3i cell = ((p.array() + 1) * ((1 << (kBits - 1)) - 0.5)).cast<int>();
   int place = 0;
   for (int bit = kBits - 1; bit >= 0; --bit)
     for (const int coordinate : cell) place = place << 1 | (coordinate >> bit & 1);
@@ -98,9 +98,6 @@ bool SiteDistances::step(long& budget) {
       forItems(changes_, budget, kSitesPerUnit, [&](const SiteChange& c) { insertSite(c); }),
       [&] { return edgeBounds_.step(budget); },
       [&](SlicedLoop& loop) { return findOutdated(loop, budget); }, [&] { return forget(budget); },
-      [&] { startedBox_.setEmpty(); },
-      forItems(change_.started, budget, kSitesPerUnit,
-               [&](int label) { startedBox_.extend(mesh_.position(sites_[label])); }),
       forItems(change_.started, budget, kSitesPerUnit, [&](int label) { placeStarted(label); }),
       [&] { orderLabels(); },
       // 2. Spread.
@@ -223,8 +220,8 @@ double SiteDistances::progress() const {
 }
 
 void SiteDistances::placeStarted(int label) {
-  const Eigen::Vector3d fromLeast = mesh_.position(sites_[label]) - startedBox_.min();
-  startedPlaces_.push_back({placeOnCurve(fromLeast / mesh_.boundingDiagonal()), label, label});
+  const Eigen::Vector3d fromVertex = mesh_.position(sites_[label]) - mesh_.position(0);
+  startedPlaces_.push_back({placeOnCurve(fromVertex / mesh_.boundingDiagonal()), label, label});
 }
 
 /// Puts neighbouring labels in succession, so that the memory they touch is still in the cache.

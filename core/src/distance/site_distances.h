@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <memory>
 #include <optional>
 #include <span>
@@ -116,7 +116,6 @@ class SiteDistances final : public DistanceField {
   std::vector<int> forgotten_;         ///< labels that leave, then those that start again
   IndexSet forgottenAt_;               ///< vertices where a label was forgotten
   IndexSet resumed_{0}, outdated_{0};  ///< labels
-  Eigen::AlignedBox3d startedBox_;     ///< of the sites of labels that start
   std::vector<KeyedItem> startedPlaces_;
 };
 
