@@ -149,8 +149,9 @@ class WindowSweep {
   void offerToCorners(const Window& w, int halfedge);
   template <class Visit>
   void visitAwake(Visit visit) const;
-  template <class Windows>
-  std::optional<Paths> pathsThrough(int halfedge, const Windows& windows, double mostExcess) const;
+  template <class AnyWindow>
+  std::optional<Paths> pathsThrough(int halfedge, std::span<const AnyWindow> windows,
+                                    double mostExcess) const;
   bool canGain(int halfedge, const std::optional<Paths>& paths) const;
   void continueNeeded();
   bool offerAndGoOn(int halfedge);

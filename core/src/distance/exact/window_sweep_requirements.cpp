@@ -17,6 +17,9 @@ namespace {
 /// takes less than to sort them in and out.
 constexpr double kLeastApproachesAsleep = 4;
 
+const Window& windowOf(const Window& w) { return w; }
+const Window& windowOf(const WaitingWindow& w) { return w.window; }
+
 }  // namespace
 
 long WindowSweep::require(int label, LabelState& state, std::span<const int> faces, double atMost) {
@@ -149,27 +152,28 @@ void WindowSweep::require(int label, LabelState& state, std::span<const Required
 // --- Which windows go on -------------------------------------------------------------------------
 
 /// The paths through windows at a halfedge; none if all of them have at least the excess
-/// `mostExcess`.
-template <class Windows>
-std::optional<RequiredDistances::Paths> WindowSweep::pathsThrough(int h, const Windows& windows,
-                                                                  double mostExcess) const {
+/// `mostExcess`. Inlined, as it is the innermost loop of requirements.
+template <class AnyWindow>
+[[gnu::always_inline]] inline std::optional<RequiredDistances::Paths> WindowSweep::pathsThrough(
+    int h, std::span<const AnyWindow> windows, double mostExcess) const {
   const TriangleMesh::Face& face = mesh_.face(h / 3);
   const int i = h % 3, j = cornerAfter(i);
   const double length = face.lengths[i];
   const double nearTail = bounds_[face.vertices[i]].distance;
   const double nearTip = bounds_[face.vertices[j]].distance;
   double begin = length, end = 0, least = kInfinity, excess = kInfinity;
-  windows([&](const Window& w) {
+  for (const AnyWindow& any : windows) {
+    const Window& w = windowOf(any);
     // Lower bounds on the excess: the nearest distance rises at most by the way along the halfedge.
     const double atEnd = w.distanceOnEdge(w.end) - (nearTail + w.end);
-    if (atEnd >= mostExcess) return;
+    if (atEnd >= mostExcess) continue;
     const double atBegin = w.distanceOnEdge(w.begin) - (nearTip + length - w.begin);
-    if (atBegin >= mostExcess) return;
+    if (atBegin >= mostExcess) continue;
     excess = std::min(excess, std::max(atEnd, atBegin));
     begin = std::min(begin, w.begin);
     end = std::max(end, w.end);
     least = std::min(least, w.least());
-  });
+  }
   if (excess == kInfinity) return std::nullopt;
   const double middle = (begin + end) / 2, share = middle / length;
   const Eigen::Vector3d place = (1 - share) * required_.placeOf(face.vertices[i]) +
@@ -196,12 +200,7 @@ void WindowSweep::continueNeeded() {
   const double mostExcess = isRepeated ? kInfinity : required_.mostExcess();
   auto kept = waiting.awake().begin();
   visitAwake([&](int h, std::span<const WaitingWindow> windows) {
-    const auto paths = pathsThrough(
-        h,
-        [&](auto visit) {
-          for (const WaitingWindow& w : windows) visit(w.window);
-        },
-        mostExcess);
+    const auto paths = pathsThrough(h, windows, mostExcess);
     if (!canGain(h, paths)) {
       const float sleepsUntil = isRepeated ? required_.sleepsUntil(*paths) : 0;
       for (const WaitingWindow& w : windows) *kept++ = {w.window, h, sleepsUntil};
@@ -236,8 +235,7 @@ bool WindowSweep::offerAndGoOn(int h) {
       if (hasCorner) offerToCorners(w, h);
       if (hasPoints) points_.offer(w, h);
     }
-  const auto each = [&](auto visit) { std::for_each(windows.begin(), windows.end(), visit); };
-  if (canGain(h, pathsThrough(h, each, required_.mostExcess()))) return true;
+  if (canGain(h, pathsThrough(h, windows, required_.mostExcess()))) return true;
   for (const Window& w : windows) waiting_.windows.push_back({w, h});
   windows_.free(windows_.take(h));
   return false;
