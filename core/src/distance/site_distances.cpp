@@ -274,24 +274,23 @@ double SiteDistances::distance(int label, const SurfacePoint& p) const {
 }
 
 /// Distances at vertices come from the lists, at other points from the spread.
-class SiteDistances::DistancesAtPoints final : public SlicedWork<std::vector<double>> {
+class SiteDistances::DistancesAtPoints final : public SequentialWork<std::vector<double>> {
  public:
   DistancesAtPoints(const SiteDistances& field, std::vector<LabelledPoint> points)
       : field_(field), points_(std::move(points)) {}
 
   bool advance(long budget) override {
     return sequence_.run(
-        [&] { distances_.reserve(points_.size()); },
+        [&] { out_.reserve(points_.size()); },
         forEach(points_, budget, kQuickRounds, [&](int i) { return sortOut(i, budget); }),
         [&] {
           points_.resize(open_.size());
           atPoints_ = field_.spread_->startDistancesAt(std::move(points_), field_);
         },
         [&] { return atPoints_->step(budget); }, [&] { found_ = atPoints_->take(); },
-        forEach(open_, budget, kQuickRounds, [&](int i) { distances_[open_[i]] = found_[i]; }));
+        forEach(open_, budget, kQuickRounds, [&](int i) { out_[open_[i]] = found_[i]; }));
   }
   double share() const override { return atPoints_ ? atPoints_->progress() : 0; }
-  std::vector<double> result() override { return std::move(distances_); }
 
  private:
   /// Moves the points that are left to the spread to the front of the list. Returns how many quick
@@ -300,7 +299,7 @@ class SiteDistances::DistancesAtPoints final : public SlicedWork<std::vector<dou
     const int label = points_[i].label;
     const SurfacePoint p = onMesh(field_.mesh_, points_[i].point);
     const int v = vertexAt(field_.mesh_, p);
-    distances_.push_back(v >= 0 ? field_.known_.lists().distance(v, label) : kInfinity);
+    out_.push_back(v >= 0 ? field_.known_.lists().distance(v, label) : kInfinity);
     if (v >= 0) return 1;
     if (field_.isKnownAround(label, p)) {
       points_[open_.size()] = {label, p};
@@ -308,14 +307,12 @@ class SiteDistances::DistancesAtPoints final : public SlicedWork<std::vector<dou
       return 1;
     }
     const LabelledDistance there = field_.nearest(p, budget);
-    if (there.label == label) distances_.back() = there.distance;
+    if (there.label == label) out_.back() = there.distance;
     return kQuickRounds;
   }
 
   const SiteDistances& field_;
   std::vector<LabelledPoint> points_;
-  SlicedSequence sequence_;
-  std::vector<double> distances_;
   std::vector<int> open_;  ///< the indices of the points that are left to the spread
   std::unique_ptr<SlicedWork<std::vector<double>>> atPoints_;
   std::vector<double> found_;  ///< by the spread
