@@ -658,6 +658,24 @@ suite('site history', () => {
     }
     assert.ok(sites.canUndo && sites.canRedo);
   });
+
+  test('it returns to a list of which a step was revised, and keeps what is before', () => {
+    const sites = history();
+    const lists = [sites.present, []];
+    sites.record(lists[1]);
+    const [{ id }] = lists[0];
+    sites.undo();
+    sites.recordTints(Float32Array.of(0, 1));
+    sites.move(id, { face: 3, bary: [1, 0, 0] }, false);
+    const shown = sites.present;
+    sites.move(id, { face: 5, bary: [1, 0, 0] }, false);
+    sites.returnTo(shown);
+    assert.equal(sites.present, shown);
+    sites.undo();
+    assert.equal(sites.present, lists[0]);
+    sites.undo();
+    assert.equal(sites.tints, undefined);
+  });
 });
 
 suite('latest task', () => {

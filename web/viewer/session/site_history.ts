@@ -183,14 +183,14 @@ export class SiteHistory {
     this.#present = after;
   }
 
-  /** Undoes or redoes until this list is there again; if no step has it, begins anew with it. */
+  /** Undoes or redoes until this list is there again; if no step has it, the last one gets it. */
   returnTo(sites: Sites): void {
     const isIn = (states: readonly State[]) => states.some((state) => state.sites === sites);
     this.#move = undefined;
     if (this.present === sites) return;
     if (isIn(this.#past)) while (this.present !== sites) this.undo();
     else if (isIn(this.#future)) while (this.present !== sites) this.redo();
-    else this.reset(sites, this.tints);
+    else this.revise(sites);
   }
 
   #step(state: State): void {
