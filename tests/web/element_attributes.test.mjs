@@ -234,6 +234,23 @@ suite('attributes and properties', () => {
     assert.equal(await viewer.evaluate((viewer) => viewer.getAttribute('sites')), '3');
   });
 
+  test('a tessellation plays on if the mesh cannot be made otherwise', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
+    const status = await viewer.evaluate(async (viewer) => {
+      const next = (type) =>
+        new Promise((done) => viewer.addEventListener(type, done, { once: true }));
+      viewer.setAttribute('cvt-iterations', 100000);
+      viewer.playCvt();
+      await next('cvt-iteration');
+      viewer.setAttribute('weld', 'tight');
+      await next('error');
+      const { cvtStatus } = viewer;
+      viewer.pauseCvt();
+      return cvtStatus;
+    });
+    assert.equal(status, 'running');
+  });
+
   test('a number that is refused is named by its attribute', async () => {
     const viewer = await browser.open({ path: 'one.html' });
     const refusal = async (name, value) => {

@@ -150,13 +150,16 @@ export class Viewer implements Workpiece {
   /** Opens the model anew, made otherwise of its files. The sites and density that it has stay. */
   async rebuild(): Promise<void> {
     const { attributes, session } = this;
-    session.pauseCvt(); // or the sites to keep would not come to rest
     const isShown = this.#read === session.reader;
     // A mesh whose library has stopped cannot tell where its sites and density are.
     if (isShown && session.hasStopped && !(await session.reopen())) return;
     if (!this.#read) return;
     const mesh = isShown ? session.mesh : undefined;
-    const sites = () => (attributes.differ(samplingAttributes) ? undefined : session.sites);
+    const sites = () => {
+      if (attributes.differ(samplingAttributes)) return undefined;
+      session.pauseCvt(); // or they would not come to rest
+      return session.sites;
+    };
     const kept = mesh && { mesh, sites, tints: () => session.tints };
     await this.#open(this.#read, { ...attributes.opening, kept });
   }
