@@ -94,6 +94,18 @@ suite('models of the element', () => {
     assert.match(message, /^vast\.gltf cannot be opened: .*16777216 vertices\.$/);
   });
 
+  test('if a file that a model refers to cannot be had, the others are given up', async () => {
+    const viewer = await browser.open({
+      path: 'one.html',
+      complaint: /404/,
+      prepare: (page) => page.route('**/endless.bin', () => {}), // never answered
+    });
+    const endless = viewer.page.waitForEvent('requestfailed');
+    const { message } = await viewer.after('error', () => viewer.set({ src: '/half.gltf' }));
+    assert.match(message, /^nowhere\.bin cannot be fetched: the server answers 404\.$/);
+    assert.match((await endless).url(), /endless\.bin$/);
+  });
+
   test('limits on what a model may ask for are raised and lowered by an attribute', async () => {
     const viewer = await browser.open({ path: 'one.html' });
     const open = (limits) =>

@@ -107,6 +107,12 @@ export const elementPages = {
       accessors: [{ componentType: 5126, count: 20_000_001, type: 'VEC3' }],
     }),
   },
+  '/half.gltf': {
+    html: JSON.stringify({
+      asset: { version: '2.0' },
+      buffers: ['endless.bin', 'nowhere.bin'].map((uri) => ({ uri, byteLength: 1 })),
+    }),
+  },
   '/split.gltf': {
     html: JSON.stringify({
       ...tetrahedron.json,

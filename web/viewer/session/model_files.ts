@@ -73,12 +73,26 @@ export async function fetchModelFiles(
   const name = nameOf(url);
   const fetchBeside = (uri: string, signal: AbortSignal) => fetchBytes(urlOf(uri, url), signal);
   const bytes = await fetchBytes(url, signal, onProgress);
-  const further = gltfResourceUris(bytes).map(
-    async (uri) => [uri, await fetchBeside(uri, signal)] as const,
-  );
-  const files = Object.fromEntries([[name, bytes], ...(await Promise.all(further))]);
+  const further = await fetchAll(gltfResourceUris(bytes), fetchBeside, signal);
+  const files = Object.fromEntries([[name, bytes], ...further]);
   const file = url.hash ? decoded(url.hash.slice(1)) : undefined;
   return { name, files, file, fetchBeside };
+}
+
+/** Fetches files; if one fails, the others are given up. */
+async function fetchAll(
+  uris: readonly string[],
+  fetchOne: (uri: string, signal: AbortSignal) => Promise<Uint8Array>,
+  signal: AbortSignal,
+): Promise<[uri: string, bytes: Uint8Array][]> {
+  signal.throwIfAborted();
+  const ending = new AbortController();
+  const end = () => ending.abort(signal.reason);
+  signal.addEventListener('abort', end, { signal: ending.signal });
+  const fetched = uris.map(
+    async (uri): Promise<[string, Uint8Array]> => [uri, await fetchOne(uri, ending.signal)],
+  );
+  return Promise.all(fetched).finally(() => ending.abort());
 }
 
 function urlOf(address: string, base: string | URL = document.baseURI): URL {
