@@ -4,6 +4,8 @@
 
 import assert from 'node:assert/strict';
 import { suite, test } from 'node:test';
+import { octahedron } from '../wasm/meshes.mjs';
+import { meshBinaryStl, meshObj } from '../wasm/model_files.mjs';
 import { browserForTests } from './browser.mjs';
 import { elementPages, emptyPage } from './element_pages.mjs';
 
@@ -128,6 +130,32 @@ suite('the view of the element', () => {
     await viewer.drawn();
     const after = await place();
     assert.ok(after < before - 20, `${after} after ${before}`);
+  });
+
+  test('an STL has its third axis upwards, other models the second, and each another one on request', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
+    /** The axis whose end is highest in the view. */
+    const highest = async () => {
+      await viewer.drawn();
+      return viewer.evaluate((viewer) => {
+        const ends = viewer.project([2, 0, 0, 0, 2, 0, 0, 0, 2]).map((end) => end?.y ?? Infinity);
+        return 'xyz'[ends.indexOf(Math.min(...ends))];
+      });
+    };
+    const open = (name, bytes) =>
+      viewer.after('diagram', () =>
+        viewer.evaluate(
+          (viewer, [name, bytes]) => viewer.loadFiles({ [name]: Uint8Array.from(bytes) }),
+          [name, [...bytes]],
+        ),
+      );
+    await open('a.stl', meshBinaryStl(octahedron()));
+    assert.equal(await highest(), 'z');
+    await open('a.obj', meshObj(octahedron()));
+    assert.equal(await highest(), 'y');
+    await viewer.evaluate((viewer) => viewer.setAttribute('up', 'y'));
+    await open('a.stl', meshBinaryStl(octahedron()));
+    assert.equal(await highest(), 'y');
   });
 
   test('a picture of no size is refused, and so is a density of other vertices', async () => {

@@ -427,7 +427,7 @@ export class GeodesicVoronoiElement extends ReflectingElement {
     if (changed.has('tool')) viewer.tools.follow();
     if (changed.has('layers')) viewer.showLayers();
     if (changed.has('exploded')) viewer.explode();
-    if (changed.has('up')) viewer.stage.camera.up = this.attributeValues.up;
+    if (changed.has('up')) viewer.adoptUpAxis();
     if (changed.has('camera-orbit')) viewer.orbit(); // by the axis that points up now
     if (changed.has('metric') || changed.has('detail')) viewer.configure();
     const { attributeValues } = this;

@@ -96,7 +96,6 @@ export class Viewer implements Workpiece {
       this.tools.follow();
       this.#emit('camera-change', { orbit: formatCameraOrbit(this.stage.camera.orbit) });
     });
-    this.stage.camera.up = this.attributes.up;
     const root = canvas.getRootNode() as ShadowRoot;
     this.legend = new Legend(root);
     this.#derived = new DerivedDrawings(this, this.#emit);
@@ -262,6 +261,11 @@ export class Viewer implements Workpiece {
     if (this.#model) this.stage.camera.frame(this.#model.drawing.mesh.positions);
   }
 
+  /** Turns the model so that its upward axis points up. */
+  adoptUpAxis(): void {
+    this.stage.camera.up = this.attributes.upOf(this.session.mesh?.info);
+  }
+
   /** Moves the camera to where the attribute says, if it is set. */
   orbit(): void {
     const { cameraOrbit } = this.attributes;
@@ -360,6 +364,7 @@ export class Viewer implements Workpiece {
     this.#adoptDensity();
     this.stage.add(this.#model.drawing.object);
     this.showLayers();
+    this.adoptUpAxis();
     this.refit();
     this.orbit();
   }

@@ -2,11 +2,11 @@
 //
 // The buttons on the view.
 
-import { attributeOf } from '../../viewer/attributes/attribute_defaults.js';
+import { upAxisOf } from '../../viewer/attributes/attribute_defaults.js';
 import type { GeodesicVoronoiElement } from '../../viewer/element.js';
 import { byId, listen, onClick, watchAttributes } from '../base/dom.js';
 
-const axes = ['y', 'z', 'x'];
+const axes = ['y', 'z', 'x'] as const;
 
 /** The buttons on the view: undo and redo, fitting, the upward axis, room for the view. */
 export function setUpToolbar(viewer: GeodesicVoronoiElement): void {
@@ -27,8 +27,7 @@ function setUpHistory(viewer: GeodesicVoronoiElement): void {
 }
 
 function setUpAxis(viewer: GeodesicVoronoiElement): void {
-  // A link may have any text there, which the viewer takes for y.
-  const axis = () => axes.find((each) => each === attributeOf(viewer, 'up')) ?? 'y';
+  const axis = () => upAxisOf(viewer, viewer.info);
   const button = onClick('up', () => {
     viewer.setAttribute('up', axes[(axes.indexOf(axis()) + 1) % axes.length]);
   });
@@ -39,10 +38,7 @@ function setUpAxis(viewer: GeodesicVoronoiElement): void {
     button.ariaLabel = `Upward axis: ${letter}`;
   };
   watchAttributes(viewer, ['up'], tell);
-  // Programs for printers and machine parts, which write STL files, have the third axis upwards.
-  listen(viewer, 'load', ({ info }) => {
-    if (info.origin.format === 'STL' && !viewer.hasAttribute('up')) viewer.setAttribute('up', 'z');
-  });
+  listen(viewer, 'load', tell); // whose default depends on the format
 }
 
 function setUpFullscreen(): void {

@@ -2,6 +2,9 @@
 //
 // The element's attributes that have a default, and what it is.
 
+import type { MeshInfo } from 'geodesic-voronoi';
+import type { UpAxis } from '../stage/stage_camera.js';
+
 /** How a model is made of its file. */
 const build = { 'max-edge': '0', weld: '0', orientation: 'unify', 'min-component': '0' };
 /** How sites are placed. */
@@ -25,7 +28,6 @@ export const attributeDefaults: Readonly<Record<string, string>> = {
   'brush-density': '100',
   layers: 'regions bisectors sites',
   exploded: '0',
-  up: 'y',
 };
 
 /** The attributes that are not named as the library's options which they set. */
@@ -48,4 +50,17 @@ export function namingAttributes(sentence: string): string {
 /** The text of an attribute, or else its default. */
 export function attributeOf(element: Pick<Element, 'getAttribute'>, name: string): string {
   return element.getAttribute(name) ?? attributeDefaults[name];
+}
+
+/**
+ * The axis of a model that points up. Unless one is given, that is the third of an STL: programs for
+ * printers and machine parts, which write these, have it upwards.
+ */
+export function upAxisOf(
+  element: Pick<Element, 'getAttribute'>,
+  info: MeshInfo | undefined,
+): UpAxis {
+  const axis = element.getAttribute('up');
+  if (axis === 'x' || axis === 'y' || axis === 'z') return axis;
+  return info?.origin.format === 'STL' ? 'z' : 'y';
 }

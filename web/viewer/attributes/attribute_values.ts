@@ -2,12 +2,20 @@
 //
 // The values of the element's attributes.
 
-import type { CvtMethod, GltfLimits, Metric, Orientation, Sampling } from 'geodesic-voronoi';
+import type {
+  CvtMethod,
+  GltfLimits,
+  MeshInfo,
+  Metric,
+  Orientation,
+  Sampling,
+} from 'geodesic-voronoi';
 import {
   attributeDefaults,
   attributeOf,
   openingAttributes,
   samplingAttributes,
+  upAxisOf,
 } from './attribute_defaults.js';
 import { type CameraOrbit, parseCameraOrbit } from '../stage/camera_orbit.js';
 import type { CvtSettings } from '../session/cvt_run.js';
@@ -105,9 +113,9 @@ export class Attributes {
     return Math.min(1, Math.max(0, this.#number('exploded')));
   }
 
-  get up(): UpAxis {
-    const axis = this.#text('up');
-    return axis === 'x' || axis === 'z' ? axis : 'y';
+  /** The axis of a model that points up. */
+  upOf(info: MeshInfo | undefined): UpAxis {
+    return upAxisOf(this.#element, info);
   }
 
   get diagram(): DiagramSettings {
