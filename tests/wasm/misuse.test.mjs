@@ -431,6 +431,10 @@ test('what is not points or a mesh, but has some', async () => {
       { isBufferGeometry: true, attributes: { position: { ...place, count: -1 } } },
       /^the geometry's position\.count is -1, not an integer /,
     ],
+    [
+      { isBufferGeometry: true, attributes: { position: { ...place, count: 1e9 } } },
+      /^the geometry's position\.count is 1000000000, not an integer from 0 to 178956970$/,
+    ],
     [new Mesh(), /this is of type Mesh: pass its geometry$/],
     // Of these, JSON would not have made objects.
     [

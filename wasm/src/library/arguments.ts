@@ -49,8 +49,11 @@ export const maxDetail = 10;
 /** The core counts in 32 bits. */
 export const maxCount = 2 ** 31 - 1;
 
-/** The limits of the glTF reader: its memory has no more bytes than this. */
-export const limitRule = integers(0, 2 ** 32 - 1);
+/** A module's memory has no more bytes than this. */
+const maxBytes = 2 ** 32 - 1;
+
+/** The limits of the glTF reader. */
+export const limitRule = integers(0, maxBytes);
 
 const counts = integers(0, maxCount);
 const positiveCounts = integers(1, maxCount);
@@ -145,7 +148,8 @@ function valuesOf(name: string, attribute: ThreeAttribute, size: number): Float6
     throw invalidArgument(
       `the geometry's ${name} is ${show(attribute)}, not an attribute of three.js`,
     );
-  requireAllowed(`the geometry's ${name}.count`, attribute.count, counts);
+  const mostThatFit = Math.floor(maxBytes / (size * Float64Array.BYTES_PER_ELEMENT));
+  requireAllowed(`the geometry's ${name}.count`, attribute.count, integers(0, mostThatFit));
   const values = new Float64Array(size * attribute.count);
   for (let i = 0; i < values.length; ++i)
     values[i] = attribute[getters[i % size]](Math.floor(i / size));
