@@ -216,6 +216,10 @@ test('vertices within sides of other triangles are told of', async () => {
   assert.equal(info.hasTJunctions, true);
   assert.equal(info.hasOpenSeams, false);
   assert.match(info.notes.at(-1), /T-junctions.*the option weld, 1e-6/);
+  const torn = [...positions, 1e-6, 0, 0];
+  const both = await gvd.mesh({ positions: torn, indices: [0, 1, 2, 6, 4, 3, 3, 5, 1] });
+  assert.deepEqual([both.info.hasTJunctions, both.info.hasOpenSeams], [true, true]);
+  assert.deepEqual(both.info.notes, info.notes);
   const whole = await gvd.mesh({ positions, indices: [0, 3, 2, 3, 1, 2, 0, 4, 3, 3, 5, 1] });
   assert.equal(whole.info.hasTJunctions, false);
   assert.deepEqual(whole.info.notes, []);

@@ -43,13 +43,9 @@ const repairTexts: Record<
     `${triangles(n)} flat or tiny: for distances, all edges are longer by ${by}, and flat triangles become a little higher`,
 };
 
-/** Of a mesh with open seams. */
+/** Of a mesh with open seams or T-junctions. */
 export const openSeamsNote =
-  'some boundary vertices nearly coincide: welded within 0.0001 % of the diagonal (the option weld, 1e-6), distances would lead across';
-
-/** Of a mesh with T-junctions. */
-export const tJunctionsNote =
-  'some vertices lie within sides of triangles that they are no corners of (T-junctions): joined within 0.0001 % of the diagonal (the option weld, 1e-6), paths would lead across';
+  'some boundary vertices nearly coincide, or lie within sides of other triangles (T-junctions): joined within 0.0001 % of the diagonal (the option weld, 1e-6), paths would lead across';
 
 const vertices = (count: number) => counted(count, 'vertex', 'vertices');
 const triangles = (count: number) => counted(count, 'triangle');
