@@ -5,7 +5,7 @@
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { copyFileSync, mkdirSync, symlinkSync, writeFileSync } from 'node:fs';
+import { copyFileSync, mkdirSync, readFileSync, symlinkSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { torus } from '../../web/page/samples/shapes.mjs';
@@ -101,6 +101,24 @@ test('two cities divide the Earth, though their regions meet in no Voronoi point
   const says =
     /^city,area,neighbour,distance\nA,2550\d{5},B,1000\d\.\d\nB,2550\d{5},A,1000\d\.\d\n$/;
   assert.match(runExample('cities.mjs', ['two.csv']), says);
+});
+
+test('the outline of a region around a pole is as near to the meridian of Greenwich as it can be', () => {
+  const cities = 'A,0,0\nB,120,0\nC,-120,0\nD,0,-90\n';
+  writeFileSync(join(folder, 'south.csv'), `name,longitude,latitude\n${cities}`);
+  runExample('cities.mjs', ['south.csv', 'south.geojson']);
+  const { features } = JSON.parse(readFileSync(join(folder, 'south.geojson'), 'utf8'));
+  for (const { geometry } of features)
+    for (const ring of geometry.coordinates) {
+      const longitudes = ring.map(([longitude]) => longitude);
+      const middle = (Math.min(...longitudes) + Math.max(...longitudes)) / 2;
+      assert.ok(Math.abs(middle) <= 180, `from ${Math.min(...longitudes)}`);
+    }
+});
+
+test('a table of cities in another order is refused', () => {
+  writeFileSync(join(folder, 'turned.csv'), 'name,latitude,longitude\nA,0,0\nB,0,90\n');
+  assert.throws(() => runExample('cities.mjs', ['turned.csv']), /name,latitude,longitude/);
 });
 
 function runExample(name, args) {

@@ -8,7 +8,9 @@ import { load } from 'geodesic-voronoi';
 
 const [table, output = 'regions.geojson'] = process.argv.slice(2);
 if (!table) throw new Error('usage: node cities.mjs TABLE [OUTPUT]');
-const lines = (await readFile(table, 'utf8')).trim().split('\n').slice(1);
+const [header, ...lines] = (await readFile(table, 'utf8')).trim().split('\n');
+if (!/,\W*l(on|ng)[^,]*,\W*lat[^,]*$/i.test(header))
+  throw new Error(`the first line of ${table} is no list of name,longitude,latitude: ${header}`);
 const cities = lines.map((line) => line.match(/^(.*),([^,]*),([^,]*)$/).slice(1));
 if (cities.length < 2) throw new Error(`${table} has no two cities below its first line`);
 
@@ -53,7 +55,10 @@ function ringOf(loop) {
   const [first, last] = [ring[0], ring.at(-1)];
   const turns = Math.round((last[0] - first[0]) / 360);
   if (turns !== 0) ring.push([last[0], 90 * turns], [first[0], 90 * turns], first);
-  return ring;
+  const longitudes = ring.map(([longitude]) => longitude);
+  const middle = (Math.min(...longitudes) + Math.max(...longitudes)) / 2;
+  const nearest = 360 * Math.round(middle / 360);
+  return ring.map(([longitude, latitude]) => [longitude - nearest, latitude]);
 }
 
 function placeOf(longitude, latitude) {
