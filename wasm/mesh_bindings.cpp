@@ -196,10 +196,8 @@ GVD_ABI Answer* pointsAtVertices(const MeshHandle* handle, Ints vertex) {
   return answer([&] {
     std::vector<SurfacePoint> points;
     points.reserve(vertex.size);
-    for (std::size_t i = 0; i < vertex.size; ++i) {
-      points.push_back(
-          naming("point", i, [&] { return handle->mesh->fromInputVertex(vertex.data[i]); }));
-    }
+    for (std::size_t i = 0; i < vertex.size; ++i)
+      points.push_back(handle->mesh->fromInputVertex(vertex.data[i]));
     return pointsRecord(*handle->mesh, points);
   });
 }

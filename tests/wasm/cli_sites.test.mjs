@@ -253,7 +253,7 @@ test('sites from a PLY and a CSV of places', () => {
 test('points as JSON in place of a file, and named in errors', () => {
   const path = `path shape.glb --from {"vertex":0} --to`;
   assert.equal(JSON.parse(succeeds(`${path} {"vertex":[0]}`).stdout).paths[0].length, 0);
-  fails(1, `${path} {"vertex":9}`, /\{"vertex":9\}: point 0: there is no vertex 9\n$/);
+  fails(1, `${path} {"vertex":9}`, /\{"vertex":9\}: there is no vertex 9\n$/);
   fails(1, `${path} {"position":[[0,0,0]]}`, /position\[0\] is a list: all numbers go into one/);
   write('bad.json', '{"face": [0, 8], "bary": [1, 0, 0, 1, 0, 0]}');
   fails(1, 'locate shape.glb --sites 2 --points bad.json', /bad\.json: point 1: there is no tri/);
