@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <limits>
 #include <random>
+#include <regex>
 #include <span>
 #include <string>
 #include <utility>
@@ -22,16 +23,18 @@ namespace gvd {
 namespace {
 
 TEST(NumberText, IsThatOfSevenSignificantDigits) {
-  const double inf = std::numeric_limits<double>::infinity();
   for (const double number :
-       {0.0,        1.0,       -1.0,       10.0,  0.25,     -0.1,   1.25,  99.5,          1234567.0,
-        12345678.0, 9999999.4, 9999999.6,  1e-3,  1e-4,     1.5e-5, -1e-9, 9.99999996e-5, 1.0000011,
-        3e6,        1.5e9,     6.02214e23, 1e300, 2.5e-300, inf,    -inf}) {
+       {0.0,           1.0,        -1.0,      10.0,      0.25,       -0.1,  1.25,    99.5,
+        1234567.0,     12345678.0, 9999999.4, 9999999.6, 1e-3,       1e-4,  1.5e-5,  -1e-9,
+        9.99999996e-5, 1.0000011,  3e6,       1.5e9,     6.02214e23, 1e300, 2.5e-300}) {
     char expected[64];
     std::snprintf(expected, sizeof expected, "%.7g", number);
-    EXPECT_EQ(numberText(number), expected);
+    EXPECT_EQ(numberText(number), std::regex_replace(expected, std::regex("e([+-])0"), "e$1"));
   }
-  EXPECT_EQ(numberText(std::numeric_limits<double>::quiet_NaN()), "nan");
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(numberText(infinity), "Infinity");
+  EXPECT_EQ(numberText(-infinity), "-Infinity");
+  EXPECT_EQ(numberText(std::numeric_limits<double>::quiet_NaN()), "NaN");
 }
 
 TEST(DrawIndex, FindsPositiveValuesEvenIfTheirSumIsSubnormal) {

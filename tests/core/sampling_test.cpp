@@ -292,7 +292,7 @@ TEST(SamplePoissonDisk, RejectsWhatCannotBe) {
   for (const double radius : {0.0, -1.0, double(NAN), double(INFINITY)})
     EXPECT_THROW(samplePoissonDisk(mesh, radius, 1), Error);
   EXPECT_EQ(errorOf([&] { samplePoissonDisk(mesh, 1e-9, 1); }, ErrorCode::kInvalidArgument),
-            "with the radius 1e-09 there would be more than 2147483647 Poisson disks");
+            "with the radius 1e-9 there would be more than 2147483647 Poisson disks");
   EXPECT_THROW(samplePoissonDiskCount(mesh, -1, 1), Error);
 }
 

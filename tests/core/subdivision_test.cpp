@@ -203,7 +203,7 @@ TEST(Subdivision, RejectsWhatItCannotDo) {
   };
   EXPECT_EQ(error({.maxEdge = 0}), "maxEdge is 0, not above 0 and at most 1");
   EXPECT_EQ(error({.maxEdge = std::numeric_limits<double>::quiet_NaN()}),
-            "maxEdge is nan, not above 0 and at most 1");
+            "maxEdge is NaN, not above 0 and at most 1");
   EXPECT_EQ(error({.maxEdge = 0.1, .maxTriangles = 0}), "maxTriangles is 0, not positive");
   EXPECT_EQ(error({.maxEdge = 0.1, .maxTriangles = 40}),
             "with no edge longer than 0.1 of the diagonal, there would be more than 40 triangles");

@@ -139,7 +139,7 @@ test('--max-edge, --weld, --orientation and --min-component: how the mesh is mad
   fails(
     1,
     'info shape.glb --max-edge 1e-9',
-    /: with no edge longer than 1e-09 of the diagonal, there would be more than 16777216 triangles$/m,
+    /: with no edge longer than 1e-9 of the diagonal, there would be more than 16777216 triangles$/m,
   );
 
   // Sites of the whole mesh stay where they are; others are refused.

@@ -6,10 +6,10 @@
 namespace gvd {
 
 std::string numberText(double number) {
-  if (std::isnan(number)) return "nan";
+  if (std::isnan(number)) return "NaN";
   const std::string sign = number < 0 ? "-" : "";
   double size = std::abs(number);
-  if (std::isinf(size)) return sign + "inf";
+  if (std::isinf(size)) return sign + "Infinity";
   if (size == 0) return "0";
   int exponent = 0;
   for (; size >= 10; size /= 10) ++exponent;
@@ -25,8 +25,7 @@ std::string numberText(double number) {
   const int count = static_cast<int>(text.size());
   if (exponent < -4 || exponent > 6) {
     if (count > 1) text.insert(1, 1, '.');
-    return sign + text + (exponent < 0 ? "e-" : "e+") + (std::abs(exponent) < 10 ? "0" : "") +
-           std::to_string(std::abs(exponent));
+    return sign + text + (exponent < 0 ? "e" : "e+") + std::to_string(exponent);
   }
   if (exponent < 0) return sign + "0." + std::string(-exponent - 1, '0') + text;
   if (count <= exponent + 1) return sign + text + std::string(exponent + 1 - count, '0');
