@@ -4,6 +4,7 @@
 // names the argument, and never one of the language from inside.
 
 import assert from 'node:assert/strict';
+import { Readable } from 'node:stream';
 import { test } from 'node:test';
 import * as api from 'geodesic-voronoi';
 import { BufferGeometry, Mesh } from 'three';
@@ -435,6 +436,7 @@ test('what is not points or a mesh, but has some', async () => {
       { isBufferGeometry: true, attributes: { position: { ...place, count: 1e9 } } },
       /^the geometry's position\.count is 1000000000, not an integer from 0 to 178956970$/,
     ],
+    [Readable.from(['v 0 0 0']), /Readable: await new Response\(stream\)\.arrayBuffer\(\)$/],
     [new Mesh(), /this is of type Mesh: pass its geometry$/],
     // Of these, JSON would not have made objects.
     [

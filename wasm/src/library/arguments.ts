@@ -216,12 +216,14 @@ function toBytes(buffer: ArrayBuffer): Uint8Array {
   }
 }
 
-/** What is nearly a mesh: a file's text or address, its bytes to come, or an object of three.js. */
+/** What is nearly a mesh: a file's text, address, stream or bytes to come, or an object of three.js. */
 function adviceOn(source: unknown): string {
   if (typeof source === 'string' && source.includes('\n')) return ': encode it as bytes';
   if (typeof source === 'string' || isA(source, 'URL')) return ': fetch or read the file';
   if (isA(source, 'Promise')) return ': await it';
   if (isObject(source) && 'isMesh' in source) return ': pass its geometry';
+  if (isObject(source) && Symbol.asyncIterator in source)
+    return ': await new Response(stream).arrayBuffer()';
   return '';
 }
 
