@@ -122,9 +122,10 @@ test('load and loadWorker', async () => {
     'load-failed',
   );
   await refused(notOptions, (options) => loadWorker(options), /^options is /);
-  await refused([null, 5, true, {}], (worker) => loadWorker({ worker }), /^worker is /);
   const terminate = () => assert.fail('it has been started');
-  const worker = { postMessage: terminate, terminate };
+  const ofNode = { postMessage: terminate, terminate };
+  await refused([null, 5, true, {}, ofNode], (worker) => loadWorker({ worker }), /^worker is /);
+  const worker = { ...ofNode, addEventListener: terminate };
   for (const wasm of ['nowhere.wasm', 'http://'])
     await refused(
       [wasm],

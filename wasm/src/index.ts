@@ -103,7 +103,7 @@ export async function loadWorker(options?: LoadWorkerOptions): Promise<GeodesicV
 }
 
 function isWorker(worker: unknown): worker is PageWorker {
-  return isObject(worker) && 'postMessage' in worker && 'terminate' in worker;
+  return isObject(worker) && 'terminate' in worker && 'addEventListener' in worker;
 }
 
 /** What errors call a worker: by its address, unless the caller has started it. */
@@ -116,7 +116,7 @@ function nameOf(worker: LoadWorkerOptions['worker']): string {
 function requireWorker(worker: LoadWorkerOptions['worker']): void {
   if (isWorker(worker)) return;
   if (worker !== undefined && !isAddress(worker))
-    throw invalidArgument(`worker is ${show(worker)}, neither a Worker nor an address`);
+    throw invalidArgument(`worker is ${show(worker)}, neither a web worker nor an address`);
   if (typeof Worker === 'undefined')
     throw new GeodesicVoronoiError(
       'load-failed',
