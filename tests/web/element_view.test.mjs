@@ -158,6 +158,13 @@ suite('the view of the element', () => {
     assert.equal(await highest(), 'y');
   });
 
+  test('in full screen it is on the ground of the page, not on black', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
+    await viewer.evaluate((viewer) => viewer.requestFullscreen());
+    const ground = await viewer.evaluate((viewer) => getComputedStyle(viewer).backgroundColor);
+    assert.equal(ground, 'rgb(255, 255, 255)');
+  });
+
   test('a picture of no size is refused, and so is a density of other vertices', async () => {
     const viewer = await browser.open({ path: 'one.html' });
     const refusals = await viewer.evaluate(async (viewer) => {

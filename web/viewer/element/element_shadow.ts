@@ -18,6 +18,7 @@ const style = `
     container-type: size;
   }
   :host([hidden]) { display: none; }
+  :host(:fullscreen) { background: Canvas; } /* not the browser's black, on which lines are lost */
   canvas {
     /* All of the element; its padding is room for what lies on the view. */
     position: absolute; inset: 0; width: 100%; height: 100%; outline: none;
