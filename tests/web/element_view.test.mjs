@@ -158,6 +158,23 @@ suite('the view of the element', () => {
     assert.equal(await highest(), 'y');
   });
 
+  test('on a slide that is scaled, its picture is as fine as it is seen, and labels stay in place', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
+    const project = () => viewer.evaluate((viewer) => viewer.project([0, 0.42, 1])[0]);
+    const before = await project();
+    await viewer.evaluate((viewer) => {
+      viewer.parentElement.style.cssText = 'transform: scale(1.5); transform-origin: 0 0';
+      viewer.layers = 'regions'; // drawn anew
+    });
+    await viewer.drawn();
+    const after = await project();
+    assert.ok(Math.hypot(after.x - before.x, after.y - before.y) < 1, `${after.x}, ${after.y}`);
+    const width = await viewer.evaluate(
+      ({ shadowRoot }) => shadowRoot.querySelector('canvas').width,
+    );
+    assert.equal(width, 450);
+  });
+
   test('in full screen it is on the ground of the page, not on black', async () => {
     const viewer = await browser.open({ path: 'one.html' });
     await viewer.evaluate((viewer) => viewer.requestFullscreen());

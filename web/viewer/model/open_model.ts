@@ -83,11 +83,12 @@ export class OpenModel {
     const places = this.drawing.mesh.frame.toScene(positions);
     const toClient = stage.projection();
     const { left, top } = stage.canvas.getBoundingClientRect();
+    const zoom = stage.zoom();
     return Array.from({ length: places.length / 3 }, (_, i) => {
       const place = new Vector3().fromArray(places, 3 * i);
       const client = toClient(place);
       if (!client || this.picker.hides(place, stage.camera.object)) return undefined;
-      return { x: client.x - left, y: client.y - top };
+      return { x: (client.x - left) / zoom, y: (client.y - top) / zoom };
     });
   }
 

@@ -16,6 +16,9 @@ import type { DrawnPixels } from './picture_file.js';
 import type { Picture, SharedRenderer } from './shared_renderer.js';
 import type { Padding } from './view_padding.js';
 
+/** How many pixels per CSS pixel are drawn at most: more are hardly seen, and take as much longer. */
+const mostPixelRatio = 2;
+
 /**
  * The scene with its camera and lights on one canvas. It draws only when something changed and is in
  * view. Its content lies within the unit sphere (`ModelFrame`), or within the camera's `reach`.
@@ -66,7 +69,9 @@ export class Stage {
   #draw(): void {
     this.#isOutdated = !this.#isInView;
     if (this.#isOutdated || this.camera.size.width === 0) return;
-    this.#renderer.draw(this.#view(1), this.#picture);
+    const zoom = Math.max(1, this.zoom());
+    const pixelRatio = Math.min(zoom * devicePixelRatio, mostPixelRatio);
+    this.#renderer.draw(this.#view(pixelRatio), this.#picture);
   }
 
   /** Resolves when an object's shaders are compiled, so that it can be drawn at once. */
@@ -79,7 +84,8 @@ export class Stage {
     if (!(scale > 0)) throw new RangeError(`scale is ${scale}, not a number above 0.`);
     if (this.camera.size.width === 0) throw new Error('The view has no size.');
     try {
-      return await this.#renderer.read(this.#view(scale));
+      const pixelRatio = scale * Math.min(devicePixelRatio, mostPixelRatio);
+      return await this.#renderer.read(this.#view(pixelRatio));
     } finally {
       // Brings the renderer back to the size that is shown.
       this.invalidate();
@@ -101,6 +107,12 @@ export class Stage {
   remove(object: Object3D): void {
     this.#scene.remove(object);
     this.invalidate();
+  }
+
+  /** How many times as large as its CSS says the view is: slides and the like are scaled to fit. */
+  zoom(): number {
+    const { width } = getComputedStyle(this.canvas);
+    return this.canvas.getBoundingClientRect().width / Number.parseFloat(width);
   }
 
   /** Device coordinates (-1 … 1) of a place on the page. */
@@ -151,8 +163,8 @@ export class Stage {
     this.#scene.add(sky);
   }
 
-  /** The view, `scale` times as large as it is shown. */
-  #view(scale: number): Picture {
+  /** The view, in so many pixels per CSS pixel as there can be. */
+  #view(pixelRatio: number): Picture {
     this.camera.fitDepthRange();
     const { width, height } = this.camera.size;
     const largest = this.#renderer.largestSize / Math.max(width, height);
@@ -161,7 +173,7 @@ export class Stage {
       camera: this.camera.object,
       width,
       height,
-      pixelRatio: Math.min(scale * Math.min(devicePixelRatio, 2), largest),
+      pixelRatio: Math.min(pixelRatio, largest),
     };
   }
 }
