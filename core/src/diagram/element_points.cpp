@@ -128,7 +128,8 @@ bool ElementPoints::isNearCorner(const FaceEnvelope& envelope, const Vertex& v) 
 bool ElementPoints::areNear(std::span<const Vertex> vertices) {
   inner_.clear();
   for (size_t v = 0; v < vertices.size(); ++v)
-    if (vertices[v].kind == Vertex::kInside) inner_.push_back(placed_[v].bary);
+    if (vertices[v].kind == Vertex::kInside && placed_[v].point >= 0)
+      inner_.push_back(placed_[v].bary);
   std::sort(inner_.begin(), inner_.end(), [](const auto& a, const auto& b) { return a[0] < b[0]; });
   size_t found = 0;
   for (const PlacedVertex& vertex : placed_) {
