@@ -100,38 +100,36 @@ void UnfoldingSweep::improve(int v, double distance, const Vector2d& direction) 
 }
 
 /// Offers the apex of a side its distance from the virtual source behind the side, if the source
-/// sees the apex through the side. Where the site has not reached all three corners, the tests with
-/// infinite distances fail or yield no source. Inlined, because most sides are done with after the
-/// first test.
+/// sees the apex through the side. Where the site has not reached both ends, there is no source.
+/// Inlined, because most sides are done with after the first test.
 [[gnu::always_inline]] inline void UnfoldingSweep::unfoldAcross(const TriangleMesh::Face& face,
                                                                 int side) {
   const int tail = face.vertices[side], tip = face.vertices[cornerAfter(side)];
   const int apex = face.vertices[cornerBefore(side)];
   const Vertex &atTail = vertices_[tail], &atTip = vertices_[tip];
   const double most = vertices_[apex].improvesBelow;
-  if (!mayBeNearer(face, side, atTail.distance, atTip.distance, most)) return;
-  const auto unfolding = unfold(face, side, atTail.distance, atTip.distance);
-  if (!unfolding) return;
-  const double squared = unfolding->toApex.squaredNorm();
-  if (squared < most * most)
-    offer(apex, std::sqrt(squared), directionToApex(*unfolding, atTail, atTip));
+  if (!isNearer(face, side, atTail.distance, atTip.distance, most)) return;
+  if (const auto unfolding = unfold(face, side, atTail.distance, atTip.distance))
+    offer(apex, unfolding->toApex.norm(), directionToApex(*unfolding, atTail, atTip));
 }
 
 /// Passes on the distance of a vertex: across the sides that end at it in the faces around it, and
 /// along its edges, which comes last because a path across a side is shorter, if there is one. The
-/// faces come as a wavefront reaches them, by turns on both sides of the nearest neighbour: an apex
-/// that is given its distance across one side is an end of the next.
+/// faces come as a wavefront reaches them, both ways round from the nearest neighbour: an apex that
+/// is given its distance across one side is an end of the next.
 void UnfoldingSweep::passOn(int v) {
   const Vertex& own = vertices_[v];
   const std::span<const int> fan = mesh_.fan(v);
   const int size = static_cast<int>(fan.size());
   const int nearest = nearestNeighbour(fan);
-  for (int n = 0; n < size; ++n) {
-    const int k = nearest + (n % 2 == 0 ? n / 2 : size - (n + 1) / 2);
+  const int middle = nearest + size / 2;
+  const auto passAcross = [&](int k) {
     const int h = fan[k < size ? k : k - size];
     for (const int side : {h % 3, cornerBefore(h % 3)})
       unfoldAcross(mesh_.face(TriangleMesh::faceOf(h)), side);
-  }
+  };
+  for (int k = nearest; k < middle; ++k) passAcross(k);
+  for (int k = nearest + size - 1; k >= middle; --k) passAcross(k);
   for (const int h : fan) offer(mesh_.tip(h), own.distance + mesh_.length(h), own.direction);
   const int last = TriangleMesh::previous(fan.back());
   offer(mesh_.tail(last), own.distance + mesh_.length(last), own.direction);
@@ -139,9 +137,14 @@ void UnfoldingSweep::passOn(int v) {
 
 /// The place in a fan of the halfedge that leads to the vertex nearest to the site.
 int UnfoldingSweep::nearestNeighbour(std::span<const int> fan) const {
-  const auto distanceAtTip = [&](int h) { return vertices_[mesh_.tip(h)].distance; };
-  const auto nearest = std::ranges::min_element(fan, {}, distanceAtTip);
-  return static_cast<int>(nearest - fan.begin());
+  int nearest = 0;
+  double least = kInfinity;
+  for (int k = 0; k < static_cast<int>(fan.size()); ++k)
+    if (const double distance = vertices_[mesh_.tip(fan[k])].distance; distance < least) {
+      least = distance;
+      nearest = k;
+    }
+  return nearest;
 }
 
 /// The direction of the path to an apex: interpolated between the directions of the side's ends,

@@ -39,16 +39,20 @@ inline std::optional<Eigen::Vector2d> virtualSource(double length, double atTail
   return Eigen::Vector2d(x, -std::sqrt(std::max(squaredY, 0.0)));
 }
 
-/// Quick test whether the virtual source may be nearer to the apex than `distance`; false only if
-/// it certainly is not. Source and apex lie on opposite sides of the side's line. If they are d
-/// apart along it and y and a away from it, their squared distance is d² + (y + a)². The lower
-/// bound d² + y² + a², times the side's length, needs neither a root nor a quotient.
-inline bool mayBeNearer(const TriangleMesh::Face& face, int side, double atTail, double atTip,
-                        double distance) {
+/// Whether the virtual source behind a side, if there is one, is nearer to the apex than
+/// `distance`, up to rounding. Source and apex lie on opposite sides of the side's line. If they
+/// are d apart along it and y and a away from it, their squared distance is d² + y² + a² + 2ya. How
+/// much of `distance`² the first three leave for the last, times the side's length, needs neither a
+/// root nor a quotient.
+inline bool isNearer(const TriangleMesh::Face& face, int side, double atTail, double atTip,
+                     double distance) {
   const double length = face.lengths[side], toApex = face.lengths[cornerBefore(side)];
   const double twiceX = (atTail - atTip) * (atTail + atTip) + length * length;  // times the length
-  return (atTail * atTail + toApex * toApex - distance * distance) * length <
-         toApex * face.cosines[side] * twiceX;
+  const double left = toApex * face.cosines[side] * twiceX -
+                      (atTail * atTail + toApex * toApex - distance * distance) * length;
+  if (!(left > 0)) return false;
+  const double height = toApex * face.sines[side], twiceTail = 2 * length * atTail;
+  return !((twiceTail * twiceTail - twiceX * twiceX) * height * height >= left * left);
 }
 
 /// The virtual source behind a side of a face, by its distances from the side's ends, in the
