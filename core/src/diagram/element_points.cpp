@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/sorting.h"
 #include "base/tolerances.h"
 #include "gvd/diagram.h"
 #include "mesh/incidence.h"
@@ -130,7 +131,7 @@ bool ElementPoints::areNear(std::span<const Vertex> vertices) {
   for (size_t v = 0; v < vertices.size(); ++v)
     if (vertices[v].kind == Vertex::kInside && placed_[v].point >= 0)
       inner_.push_back(placed_[v].bary);
-  std::sort(inner_.begin(), inner_.end(), [](const auto& a, const auto& b) { return a[0] < b[0]; });
+  sortStably(std::span(inner_), [](const auto& a, const auto& b) { return a[0] < b[0]; });
   size_t found = 0;
   for (const PlacedVertex& vertex : placed_) {
     if (vertex.point < 0) continue;

@@ -122,14 +122,13 @@ void UnfoldingSweep::passOn(int v) {
   const std::span<const int> fan = mesh_.fan(v);
   const int size = static_cast<int>(fan.size());
   const int nearest = nearestNeighbour(fan);
-  const int middle = nearest + size / 2;
-  const auto passAcross = [&](int k) {
+  const int half = size / 2;
+  for (int n = 0; n < size; ++n) {
+    const int k = nearest + (n < half ? n : size + half - 1 - n);
     const int h = fan[k < size ? k : k - size];
     for (const int side : {h % 3, cornerBefore(h % 3)})
       unfoldAcross(mesh_.face(TriangleMesh::faceOf(h)), side);
-  };
-  for (int k = nearest; k < middle; ++k) passAcross(k);
-  for (int k = nearest + size - 1; k >= middle; --k) passAcross(k);
+  }
   for (const int h : fan) offer(mesh_.tip(h), own.distance + mesh_.length(h), own.direction);
   const int last = TriangleMesh::previous(fan.back());
   offer(mesh_.tail(last), own.distance + mesh_.length(last), own.direction);
