@@ -214,6 +214,21 @@ TEST_P(Metrics, AreTheSameFarFromTheOrigin) {
   }
 }
 
+/// Almost the largest and smallest that `TriangleMesh` takes: a product of more than four lengths
+/// would over- or underflow.
+TEST_P(Metrics, GrowWithTheMeshToAnySize) {
+  const shapes::Shape shape = shapes::grid(12, 12);
+  const std::vector<SurfacePoint> sites = {{0, {0.3, 0.3, 0.4}}};
+  const TriangleMesh unscaled = shape.mesh();
+  const auto expected = inSlices(unscaled, sites, GetParam(), 1L << 40);
+  for (const double scale : {0x1p190, 0x1p-190}) {
+    const TriangleMesh mesh = shapes::scaled(shape, scale).mesh();
+    const auto field = inSlices(mesh, sites, GetParam(), 1L << 40);
+    for (int v = 0; v < mesh.vertexCount(); ++v)
+      EXPECT_NEAR(field->at(v)[0].distance / scale, expected->at(v)[0].distance, 1e-12) << v;
+  }
+}
+
 /// Memory follows the vertices, not the ratio of the distances to the short edges.
 TEST_P(Metrics, RunAlongARibbonAHundredMillionTimesAsLongAsWide) {
   constexpr int kQuads = 2500;

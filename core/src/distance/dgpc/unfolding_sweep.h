@@ -41,9 +41,9 @@ inline std::optional<Eigen::Vector2d> virtualSource(double length, double atTail
 
 /// Whether the virtual source behind a side, if there is one, is nearer to the apex than
 /// `distance`, up to rounding. Source and apex lie on opposite sides of the side's line. If they
-/// are d apart along it and y and a away from it, their squared distance is d² + y² + a² + 2ya. How
-/// much of `distance`² the first three leave for the last, times the side's length, needs neither a
-/// root nor a quotient.
+/// are d apart along it and y and a away from it, their squared distance is d² + y² + a² + 2ya.
+/// What the first three leave of `distance`² for the last, times the side's length, needs no
+/// quotient, and the rest no root. No product of more than four lengths, which may overflow.
 inline bool isNearer(const TriangleMesh::Face& face, int side, double atTail, double atTip,
                      double distance) {
   const double length = face.lengths[side], toApex = face.lengths[cornerBefore(side)];
@@ -51,8 +51,8 @@ inline bool isNearer(const TriangleMesh::Face& face, int side, double atTail, do
   const double left = toApex * face.cosines[side] * twiceX -
                       (atTail * atTail + toApex * toApex - distance * distance) * length;
   if (!(left > 0)) return false;
-  const double height = toApex * face.sines[side], twiceTail = 2 * length * atTail;
-  return !((twiceTail * twiceTail - twiceX * twiceX) * height * height >= left * left);
+  const double x = twiceX / (2 * length), height = toApex * face.sines[side], rest = left / length;
+  return !(4 * (atTail * atTail - x * x) * height * height >= rest * rest);
 }
 
 /// The virtual source behind a side of a face, by its distances from the side's ends, in the
