@@ -102,8 +102,9 @@ void UnfoldingSweep::improve(int v, double distance, const Vector2d& direction) 
 /// Offers the apex of a side its distance from the virtual source behind the side, if the source
 /// sees the apex through the side. Where the site has not reached both ends, there is no source.
 /// Inlined, because most sides are done with after the first test.
-[[gnu::always_inline]] inline void UnfoldingSweep::unfoldAcross(const TriangleMesh::Face& face,
-                                                                int side) {
+[[gnu::always_inline]] inline void UnfoldingSweep::unfoldAcross(int h) {
+  const TriangleMesh::Face& face = mesh_.face(TriangleMesh::faceOf(h));
+  const int side = h % 3;
   const int tail = face.vertices[side], tip = face.vertices[cornerAfter(side)];
   const int apex = face.vertices[cornerBefore(side)];
   const Vertex &atTail = vertices_[tail], &atTip = vertices_[tip];
@@ -115,20 +116,17 @@ void UnfoldingSweep::improve(int v, double distance, const Vector2d& direction) 
 
 /// Passes on the distance of a vertex: across the sides that end at it in the faces around it, and
 /// along its edges, which comes last because a path across a side is shorter, if there is one. The
-/// faces come as a wavefront reaches them, both ways round from the nearest neighbour: an apex that
-/// is given its distance across one side is an end of the next.
+/// sides come as a wavefront crosses them, once around each way from the nearest neighbour: an apex
+/// that is given its distance across one side is an end of the next.
 void UnfoldingSweep::passOn(int v) {
   const Vertex& own = vertices_[v];
   const std::span<const int> fan = mesh_.fan(v);
   const int size = static_cast<int>(fan.size());
   const int nearest = nearestNeighbour(fan);
-  const int half = size / 2;
-  for (int n = 0; n < size; ++n) {
-    const int k = nearest + (n < half ? n : size + half - 1 - n);
-    const int h = fan[k < size ? k : k - size];
-    for (const int side : {h % 3, cornerBefore(h % 3)})
-      unfoldAcross(mesh_.face(TriangleMesh::faceOf(h)), side);
-  }
+  const auto outgoing = [&](int k) { return fan[k < size ? k : k - size]; };
+  for (int k = nearest; k < nearest + size; ++k) unfoldAcross(outgoing(k));
+  for (int k = nearest + size - 1; k >= nearest; --k)
+    unfoldAcross(TriangleMesh::previous(outgoing(k)));
   for (const int h : fan) offer(mesh_.tip(h), own.distance + mesh_.length(h), own.direction);
   const int last = TriangleMesh::previous(fan.back());
   offer(mesh_.tail(last), own.distance + mesh_.length(last), own.direction);

@@ -131,7 +131,7 @@ class UnfoldingSweep {
   void improve(int vertex, double distance, const Eigen::Vector2d& direction);
   void passOn(int vertex);
   int nearestNeighbour(std::span<const int> fan) const;
-  void unfoldAcross(const TriangleMesh::Face& face, int side);
+  void unfoldAcross(int h);
   static Eigen::Vector2d directionToApex(const Unfolding& unfolding, const Vertex& tail,
                                          const Vertex& tip);
 
