@@ -130,8 +130,9 @@ for (const metric of ['exact', 'dgpc'])
       const diagram = await mesh.voronoi({ vertex: [0, 1] }, { metric });
       void diagram.insertSite({ vertex: 100 });
       const repairing = diagram.repair();
-      void diagram.insertSite({ vertex: 200 });
+      const inserting = diagram.insertSite({ vertex: 200 });
       const repaired = await repairing;
+      await inserting;
       const sites = await mesh.voronoi({ vertex: [0, 1, 100] }, { metric });
       const expected = await sites.repair();
       assert.deepEqual(repaired.sites, expected.sites);
