@@ -42,8 +42,9 @@ inline std::optional<Eigen::Vector2d> virtualSource(double length, double atTail
 /// Whether the virtual source behind a side, if there is one, is nearer to the apex than
 /// `distance`, up to rounding. Source and apex lie on opposite sides of the side's line. If they
 /// are d apart along it and y and a away from it, their squared distance is d² + y² + a² + 2ya.
-/// What the first three leave of `distance`² for the last, times the side's length, needs no
-/// quotient, and the rest no root. No product of more than four lengths, which may overflow.
+/// What the first three leave of `distance`² for the last is compared with it squared, which needs
+/// no root. Most sides are done with by its sign, which needs no quotient. No product has more than
+/// four lengths as factors: it might overflow.
 inline bool isNearer(const TriangleMesh::Face& face, int side, double atTail, double atTip,
                      double distance) {
   const double length = face.lengths[side], toApex = face.lengths[cornerBefore(side)];
