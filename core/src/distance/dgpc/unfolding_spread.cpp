@@ -112,7 +112,7 @@ void UnfoldingSpread::requireVertex(LabelState& state, int vertex) {
     const int k = h % 3, i = cornerAfter(k), j = cornerBefore(k);
     const int tail = face.vertices[i], tip = face.vertices[j];
     const double atTail = sweptDistance(tail), atTip = sweptDistance(tip);
-    if (const auto unfolding = unfold(face, i, atTail, atTip))
+    if (const auto unfolding = unfold(face, i, atTail, atTip, required.distance))
       offer(unfolding->toApex.norm(), atTail < atTip ? tail : tip);
     offer(atTail + face.lengths[k], tail);
     offer(atTip + face.lengths[j], tip);

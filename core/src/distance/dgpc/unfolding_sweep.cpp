@@ -109,8 +109,7 @@ void UnfoldingSweep::improve(int v, double distance, const Vector2d& direction) 
   const int apex = face.vertices[cornerBefore(side)];
   const Vertex &atTail = vertices_[tail], &atTip = vertices_[tip];
   const double most = vertices_[apex].improvesBelow;
-  if (!isNearer(face, side, atTail.distance, atTip.distance, most)) return;
-  if (const auto unfolding = unfold(face, side, atTail.distance, atTip.distance))
+  if (const auto unfolding = unfold(face, side, atTail.distance, atTip.distance, most))
     offer(apex, unfolding->toApex.norm(), directionToApex(*unfolding, atTail, atTip));
 }
 

@@ -39,6 +39,19 @@ inline std::optional<Eigen::Vector2d> virtualSource(double length, double atTail
   return Eigen::Vector2d(x, -std::sqrt(std::max(squaredY, 0.0)));
 }
 
+/// Whether the virtual source behind a side, if there is one, sees the apex through the side: at
+/// each end, the angles of source and apex to the side add up to at most 180 degrees, so their
+/// cosines to at least 0. The law of cosines gives the one of the source; the sums are multiplied
+/// by twice the side and the distance, which needs no quotient. A path past an end is longer than
+/// one over it by the square of the angle between them, so rounding matters no more here than in
+/// distances. False where a distance is infinite.
+inline bool seesApex(const TriangleMesh::Face& face, int side, double atTail, double atTip) {
+  const double length = face.lengths[side], square = length * length;
+  const double difference = (atTail - atTip) * (atTail + atTip);
+  return face.cosines[side] * atTail * (2 * length) + (square + difference) >= 0 &&
+         face.cosines[cornerAfter(side)] * atTip * (2 * length) + (square - difference) >= 0;
+}
+
 /// Whether the virtual source behind a side, if there is one, is nearer to the apex than
 /// `distance`, up to rounding. Source and apex lie on opposite sides of the side's line. If they
 /// are d apart along it and y and a away from it, their squared distance is d² + y² + a² + 2ya.
@@ -57,18 +70,16 @@ inline bool isNearer(const TriangleMesh::Face& face, int side, double atTail, do
 }
 
 /// The virtual source behind a side of a face, by its distances from the side's ends, in the
-/// coordinates of the side. None unless it exists and sees the apex through the side.
+/// coordinates of the side. None unless it exists, sees the apex through the side, and is nearer to
+/// it than `distance`.
 inline std::optional<Unfolding> unfold(const TriangleMesh::Face& face, int side, double atTail,
-                                       double atTip) {
-  const double length = face.lengths[side];
-  const auto source = virtualSource(length, atTail, atTip);
+                                       double atTip, double distance) {
+  if (!seesApex(face, side, atTail, atTip) || !isNearer(face, side, atTail, atTip, distance))
+    return std::nullopt;
+  const auto source = virtualSource(face.lengths[side], atTail, atTip);
   if (!source) return std::nullopt;
-  const Unfolding u = {-*source, Eigen::Vector2d(length, 0) - *source,
-                       apexOf(face, side) - *source};
-  // The line from the source to the apex crosses the side's line between its ends.
-  const double slack = kUnfoldingRounding * length * u.toApex.y();
-  if (cross(u.toApex, u.toTail) < -slack || cross(u.toTip, u.toApex) < -slack) return std::nullopt;
-  return u;
+  return Unfolding{-*source, Eigen::Vector2d(face.lengths[side], 0) - *source,
+                   apexOf(face, side) - *source};
 }
 
 /// Geodesic polar coordinates of one site after another (Melvær & Reimers 2012): at each vertex a
