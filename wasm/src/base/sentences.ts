@@ -43,8 +43,8 @@ const repairTexts: Record<
     `${triangles(n)} flat or tiny: for distances, all edges are longer by ${by}, and flat triangles become a little higher`,
 };
 
-/** Of a mesh with open seams or T-junctions. */
-export const openSeamsNote =
+/** Advice for a mesh with open seams or T-junctions. */
+export const weldAdvice =
   'some boundary vertices nearly coincide, or lie within sides of other triangles (T-junctions): joined within 0.0001 % of the diagonal (the option weld, 1e-6), paths would lead across';
 
 const vertices = (count: number) => counted(count, 'vertex', 'vertices');

@@ -17,7 +17,7 @@ import type {
 import { GeodesicVoronoiError } from '../api/errors.js';
 import { type FileInput, type InputModules, type Model, readModel } from '../input/read_model.js';
 import type { DiagramData, MeshInfo, SurfacePoints } from '../api/results.js';
-import { openSeamsNote } from '../base/sentences.js';
+import { weldAdvice } from '../base/sentences.js';
 import { inSlices, partOf, type SlicedWork } from '../base/slices.js';
 import { subdivided } from './subdivision.js';
 import type { Triangles } from '../base/triangles.js';
@@ -126,7 +126,7 @@ export class LocalEngine implements Engine {
       }
       const { triangles, parts, origin } = model;
       const notes = [...model.notes];
-      if (counts.hasOpenSeams || counts.hasTJunctions) notes.push(openSeamsNote);
+      if (counts.hasOpenSeams || counts.hasTJunctions) notes.push(weldAdvice);
       return { handle, info: { ...counts, origin, notes }, parts, triangles };
     } finally {
       core.run('freeMeshArrays', arrays);
