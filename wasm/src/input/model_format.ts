@@ -3,7 +3,7 @@
 // The format of a file, found from its content, because names can be wrong or missing.
 
 import { invalidFile } from '../api/errors.js';
-import { hasBinaryStl, isBinaryStl } from './stl_layout.js';
+import { isBinaryStl, mayBeBinaryStl } from './stl_layout.js';
 import { requireNoUtf16 } from './text_encoding.js';
 
 export type FileFormat = 'glTF' | 'OBJ' | 'OFF' | 'PLY' | 'binary STL' | 'text STL' | 'zip';
@@ -41,7 +41,7 @@ export function formatOf(bytes: Uint8Array, name: string): FileFormat {
     case 'ply':
       return 'PLY';
   }
-  if (isBinary && hasBinaryStl(bytes)) return 'binary STL';
+  if (isBinary && mayBeBinaryStl(bytes)) return 'binary STL';
   throw invalidFile(
     'the file has none of the formats that are read: glTF, OBJ, OFF, PLY or STL, or a zip with one of them',
   );

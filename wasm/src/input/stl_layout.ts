@@ -11,10 +11,10 @@ export function isBinaryStl(bytes: Uint8Array): boolean {
   return bytes.length > headerBytes && bytes.length === stlBytes(stlTriangleCount(bytes));
 }
 
-/** Whether as many triangles as it counts are there, whatever comes after them. */
-export function hasBinaryStl(bytes: Uint8Array): boolean {
+/** Whether it counts triangles as an STL may; most other files have text or a larger number there. */
+export function mayBeBinaryStl(bytes: Uint8Array): boolean {
   const count = stlTriangleCount(bytes);
-  return count > 0 && bytes.length >= stlBytes(count);
+  return count > 0 && count <= 2 ** 24;
 }
 
 /** 0 if there is not even a header. */
