@@ -255,7 +255,7 @@ test('JSON that is large takes no more memory than it should', async () => {
   const used = `{"extensionsUsed":["KHR_draco_mesh_compression"],"nodes":${many('[]', 2 ** 22)}}`;
   await assert.rejects(
     gvd.mesh(bytesOf(used)),
-    fails('invalid-gltf', /compressed.*more than 4194304 lists/),
+    fails('invalid-gltf', /compressed.*more than 4,194,304 lists/),
   );
 });
 
@@ -526,7 +526,7 @@ test('compressed data that are damaged are refused', async () => {
     [meshopt((json) => (view(1)(json).mode = 'ATTRIBUTES')), /damaged/],
     [meshopt((json) => (view(0)(json).filter = 'QUATERNION')), /byteStride 12/],
     [meshopt((json) => (view(0)(json).byteLength -= 9)), /damaged/],
-    [meshopt((json) => (view(0)(json).byteLength = 10_000)), /should have 10000 bytes/],
+    [meshopt((json) => (view(0)(json).byteLength = 10_000)), /should have 10,000 bytes/],
     [meshopt((json) => (view(0)(json).buffer = 7)), /number 7 of 2 buffers/],
     [dracoGlb(octahedron(), (json) => (json.bufferViews[0].byteLength -= 20)), /damaged/],
     [dracoGlb(octahedron(), (json) => (json.accessors[0].count = 7)), /POSITION.*7.*it has 6/],
@@ -674,7 +674,7 @@ test('a broken OBJ, OFF, PLY or STL says in which line or at which byte', async 
     ['OFF', /^line 1: the OFF is truncated: it ends after its keyword/],
     ['4OFF\n1 1 1', /^line 1: '4OFF' is a kind of OFF that is not read/],
     ['OFF BINARY\n\0\0\0\x03', /^line 1: binary OFF is not read: save it as text/],
-    ['OFF\n999999999 1 0', /more than 16777216 vertices/],
+    ['OFF\n999999999 1 0', /more than 16,777,216 vertices/],
     [ply(...vertices(1)), /header has no end/],
     [ply('element vertex -1', 'end_header\n'), /^line 3: '-1' is not a count/],
     [ply('property float x', 'end_header\n'), /^line 3: this property belongs to no element/],
@@ -702,7 +702,7 @@ test('a broken OBJ, OFF, PLY or STL says in which line or at which byte', async 
     [ply(...vertices(3), ...faces(1), ...triangle, '3 0 1 -1'), /^line 13: -1 is not a vertex/],
     [ply(...vertices(3), ...faces(2), ...triangle, '3 0 1 2'), /^line 13: the PLY is truncated/],
     [ply(...vertices(3), ...faces(1), ...triangle, '-3 0 1 2'), /^line 13: -3 is not the length/],
-    [ply(...vertices(2 ** 39), ...faces(1), ''), /more than 16777216 vertices/],
+    [ply(...vertices(2 ** 39), ...faces(1), ''), /more than 16,777,216 vertices/],
     [
       binary(
         'ply\nformat binary_big_endian 1.0\nelement vertex 9\nproperty int x\nproperty int y\nproperty int z\nend_header\n',

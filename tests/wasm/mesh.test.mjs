@@ -696,7 +696,7 @@ test('points by faces, vertices or places; one point without a list', async () =
   );
   await assert.rejects(
     mesh.voronoi({ face: 0, bary: [1, 0, 0, 1, 0, 0] }),
-    fails('invalid-argument', /sites.bary has length 6, not 3: /),
+    fails('invalid-argument', /sites.bary has 6 numbers, not 3: /),
   );
 });
 

@@ -69,7 +69,7 @@ test('points in a file are refused where they are none, or are those of another 
   );
   await assert.rejects(
     mesh.readPoints({ face: [0], bary: [1, 0] }),
-    fails('invalid-argument', /^points\.bary has length 2, not 3: /),
+    fails('invalid-argument', /^points\.bary has 2 numbers, not 3: /),
   );
 });
 

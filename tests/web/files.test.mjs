@@ -46,7 +46,7 @@ suite('files', () => {
       '{"position": null}': 'cannot be opened as sites: points.position is null, ',
       '{"face": [1]}': 'cannot be opened as sites: there are no points: ',
       '{"face": [1], "bary": [1, 0]}':
-        'cannot be opened as sites: points.bary has length 2, not 3: ',
+        'cannot be opened as sites: points.bary has 2 numbers, not 3: ',
       '{"face": [999999], "bary": [1, 0, 0]}':
         'cannot be opened as sites: point 0: there is no triangle 999999.',
       '{"mesh": {"faces": 12}, "face": [1], "bary": [1, 0, 0]}': `cannot be opened as sites: the points belong to another mesh, of another file or made with other options: to one with 12 triangles, not ${firstTriangles.toLocaleString('en')}.`,

@@ -22,6 +22,7 @@ import type { Readable } from 'node:stream';
 import { gltfResourceUris } from '../input/gltf_document.js';
 import { placeOf } from '../input/model_files.js';
 import type { ModelFile, ModelFiles } from '../api/options.js';
+import { integer } from '../base/sentences.js';
 import { standard, type Values } from './options.js';
 
 /** A file cannot be read or written: exit status 1. */
@@ -74,7 +75,7 @@ async function folderFiles(folder: string): Promise<ModelFiles> {
       const place = path === '' ? entry.name : `${path}/${entry.name}`;
       if (++count > maxFiles) {
         throw new FileError(
-          `${folder} has more than ${maxFiles} files in it: name the model itself`,
+          `${folder} has more than ${integer(maxFiles)} files in it: name the model itself`,
         );
       }
       // Links are not followed: they lead anywhere, also in circles.

@@ -4,6 +4,7 @@
 
 import { isObject } from '../base/checks.js';
 import { copyTo } from '../base/growing_array.js';
+import { counted, integer } from '../base/sentences.js';
 import type { SlicedWork } from '../base/slices.js';
 import {
   gltfFault,
@@ -55,7 +56,7 @@ export class GltfData {
     const length = whole(byteLength, `the byteLength of ${what}`);
     if (start + length <= content.length) return content.subarray(start, start + length);
     throw gltfFault(
-      `${what} should have ${length} bytes from byte ${start} on, but its buffer has ${content.length}`,
+      `${what} should have ${counted(length, 'byte')} from byte ${start} on, but its buffer has ${integer(content.length)}`,
     );
   }
 

@@ -6,6 +6,7 @@
 
 import { isObject } from '../base/checks.js';
 import { imported } from '../base/compile.js';
+import { counted, integer } from '../base/sentences.js';
 import type { DracoDecoding, DracoMesh } from './draco.js';
 import {
   dracoExtension,
@@ -178,12 +179,15 @@ function decompressedIndices(
 /** An accessor like another one, with data of its own. */
 function addAccessor(
   data: GltfData,
-  { componentType, type, normalized, count: given }: JsonObject,
+  { componentType, type, normalized, count: wanted }: JsonObject,
   { content, count }: { content: Uint8Array; count: number },
   what: string,
 ): number {
+  const given = whole(wanted, `the count of ${what}`);
   if (given !== count) {
-    throw gltfFault(`${what} should have ${given} elements, but decompressed it has ${count}`);
+    throw gltfFault(
+      `${what} should have ${counted(given, 'element')}, but decompressed it has ${integer(count)}`,
+    );
   }
   const bufferView = data.list('bufferViews').push(data.add(content)) - 1;
   return data.list('accessors').push({ bufferView, componentType, type, normalized, count }) - 1;

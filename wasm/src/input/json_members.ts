@@ -3,6 +3,8 @@
 // JSON of unknown origin. A few bytes of JSON can become a hundred bytes of memory: limits prevent
 // that, and no real file comes near them.
 
+import { integer } from '../base/sentences.js';
+
 /** The most lists and objects, which take more memory than other values. */
 const maxLists = 2 ** 22;
 const maxValues = 2 ** 24;
@@ -22,9 +24,9 @@ export function parseJson(text: Uint8Array): unknown {
       if (++depth > maxDepth)
         throw new RangeError(`it is nested more than ${maxDepth} levels deep`);
       if (++lists > maxLists)
-        throw new RangeError(`it has more than ${maxLists} lists and objects`);
+        throw new RangeError(`it has more than ${integer(maxLists)} lists and objects`);
     } else if (byte === comma && ++values > maxValues) {
-      throw new RangeError(`it has more than ${maxValues} values`);
+      throw new RangeError(`it has more than ${integer(maxValues)} values`);
     }
   }
   return JSON.parse(new TextDecoder().decode(text));

@@ -4,6 +4,7 @@
 
 import { type GeodesicVoronoiError, invalidFile } from '../api/errors.js';
 import type { GltfLimits } from '../api/options.js';
+import { counted } from '../base/sentences.js';
 
 /** The limits of the glTF reader that apply to every format. */
 export type SizeLimits = Required<Pick<GltfLimits, 'maxVertices' | 'maxTriangles'>>;
@@ -20,17 +21,17 @@ export function toSizeLimits({
 }
 
 export function requireVertices(count: number, { maxVertices }: SizeLimits): void {
-  if (count > maxVertices) throw tooMany(`${maxVertices} vertices`, 'maxVertices');
+  if (count > maxVertices) throw tooMany(counted(maxVertices, 'vertex', 'vertices'), 'maxVertices');
 }
 
 export function requireTriangles(count: number, { maxTriangles }: SizeLimits): void {
-  if (count > maxTriangles) throw tooMany(`${maxTriangles} triangles`, 'maxTriangles');
+  if (count > maxTriangles) throw tooMany(counted(maxTriangles, 'triangle'), 'maxTriangles');
 }
 
 export function requireCorners(count: number): void {
   if (count <= maxCorners) return;
   throw invalidFile(
-    `it has a polygon with more than ${maxCorners} corners, the most that are read`,
+    `it has a polygon with more than ${counted(maxCorners, 'corner')}, the most that are read`,
   );
 }
 

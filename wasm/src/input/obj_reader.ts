@@ -5,6 +5,7 @@
 // normals, and materials, do not matter here.
 
 import { invalidFile } from '../api/errors.js';
+import { integer } from '../base/sentences.js';
 import type { SlicedWork } from '../base/slices.js';
 import type { ReadModel } from '../base/triangles.js';
 import { GrowingArray } from '../base/growing_array.js';
@@ -62,7 +63,7 @@ class ObjReader {
     if (vertex >= this.#vertexCount) {
       throw lineFault(
         line,
-        `the face names vertex ${vertex + 1}, but the number of vertices is ${this.#vertexCount}`,
+        `the face names vertex ${vertex + 1}, but the number of vertices is ${integer(this.#vertexCount)}`,
       );
     }
     const positions = yield* this.#positions.take();

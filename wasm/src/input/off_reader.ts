@@ -4,6 +4,7 @@
 // colours and texture coordinates do not matter here.
 
 import { invalidFile } from '../api/errors.js';
+import { counted, integer } from '../base/sentences.js';
 import type { SlicedWork } from '../base/slices.js';
 import type { ReadModel } from '../base/triangles.js';
 import { GrowingArray } from '../base/growing_array.js';
@@ -25,7 +26,13 @@ export function* readOff(bytes: Uint8Array, limits: SizeLimits): SlicedWork<Read
     Math.min(count, Math.floor(bytes.length / bytesEach));
   const places = new GrowingArray(Float64Array, 3 * atMost(vertexCount, leastVertexBytes));
   for (let vertex = 0; vertex < vertexCount; ++vertex) {
-    places.push(words.numberOf(words.firstOfLine(`${vertex} of ${vertexCount} vertices`)));
+    places.push(
+      words.numberOf(
+        words.firstOfLine(
+          () => `${integer(vertex)} of ${counted(vertexCount, 'vertex', 'vertices')}`,
+        ),
+      ),
+    );
     places.push(words.nextNumber());
     places.push(words.nextNumber());
     if (vertex % linesPerStep === 0) yield words.share;
@@ -33,7 +40,9 @@ export function* readOff(bytes: Uint8Array, limits: SizeLimits): SlicedWork<Read
 
   const polygons = new Polygons(limits, atMost(faceCount, leastFaceBytes));
   for (let face = 0; face < faceCount; ++face) {
-    const size = words.countOf(words.firstOfLine(`${face} of ${faceCount} faces`));
+    const size = words.countOf(
+      words.firstOfLine(() => `${integer(face)} of ${counted(faceCount, 'face')}`),
+    );
     if (size < 3) {
       polygons.passOver();
     } else {
@@ -50,7 +59,7 @@ export function* readOff(bytes: Uint8Array, limits: SizeLimits): SlicedWork<Read
 
 /** The keyword, which may be missing, and the counts, which stand beside it or in the next line. */
 function readHead(words: OffWords): { vertexCount: number; faceCount: number } {
-  const keyword = words.firstOfLine('nothing');
+  const keyword = words.firstOfLine(() => 'nothing');
   if (/^\d+$/.test(keyword))
     return { vertexCount: words.countOf(keyword), faceCount: words.countOf(words.next()) };
   if (!/^(ST|C|N)*OFF$/.test(keyword))
@@ -60,7 +69,7 @@ function readHead(words: OffWords): { vertexCount: number; faceCount: number } {
   const beside = words.next();
   if (beside === 'BINARY') throw words.fault('binary OFF is not read: save it as text');
   return {
-    vertexCount: words.countOf(beside ?? words.firstOfLine('its keyword')),
+    vertexCount: words.countOf(beside ?? words.firstOfLine(() => 'its keyword')),
     faceCount: words.countOf(words.next()),
   };
 }
@@ -69,7 +78,7 @@ function vertexOf(words: OffWords, vertexCount: number): number {
   const vertex = words.countOf(words.next());
   if (vertex < vertexCount) return vertex;
   throw words.fault(
-    `the face names vertex ${vertex} (from 0), but the number of vertices is ${vertexCount}`,
+    `the face names vertex ${vertex} (from 0), but the number of vertices is ${integer(vertexCount)}`,
   );
 }
 
@@ -79,12 +88,12 @@ class OffWords extends TextWords {
   }
 
   /** The first word of the next line that is no comment; `read` tells what was there before it. */
-  firstOfLine(read: string): string {
+  firstOfLine(read: () => string): string {
     while (this.nextLine()) {
       const word = this.next();
       if (word !== undefined) return word;
     }
-    throw this.fault(`the OFF is truncated: it ends after ${read}`);
+    throw this.fault(`the OFF is truncated: it ends after ${read()}`);
   }
 
   countOf(word: string | undefined): number {

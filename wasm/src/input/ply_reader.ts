@@ -5,7 +5,7 @@
 // come in. Everything else is passed over.
 
 import { invalidFile } from '../api/errors.js';
-import { counted } from '../base/sentences.js';
+import { counted, integer } from '../base/sentences.js';
 import type { SlicedWork } from '../base/slices.js';
 import type { ReadModel } from '../base/triangles.js';
 import { GrowingArray } from '../base/growing_array.js';
@@ -121,7 +121,7 @@ class PlyReader {
     if (this.#highest.vertex >= vertexCount) {
       const { vertex, place } = this.#highest;
       throw invalidFile(
-        `${place}: a face names vertex ${vertex} (from 0), but the number of vertices is ${vertexCount}`,
+        `${place}: a face names vertex ${vertex} (from 0), but the number of vertices is ${integer(vertexCount)}`,
       );
     }
     const positions = yield* this.#positions.take();
@@ -129,7 +129,7 @@ class PlyReader {
     // A header may name the property, or the vertices, twice.
     if (density.length > 0 && density.length !== vertexCount)
       throw invalidFile(
-        `the PLY has ${density.length} densities for ${counted(vertexCount, 'vertex', 'vertices')}`,
+        `the PLY has ${integer(density.length)} densities for ${counted(vertexCount, 'vertex', 'vertices')}`,
       );
     return { positions, density, ...(yield* this.#polygons.take(positions)) };
   }

@@ -265,7 +265,7 @@ export function toPoint(name: string, point: SurfacePointsInput): GivenPoints {
         ? points.position.length / 3
         : points.face.length;
   if (count === 1) return points;
-  throw invalidArgument(`${name} is a list of ${count} points where one is needed`);
+  throw invalidArgument(`${name} is a list of ${integer(count)} points where one is needed`);
 }
 
 /** Refuses vertices beside another form. Triangles may come with the places of the same points. */
@@ -297,7 +297,7 @@ function toBarycentric(
   const bary = toFloat64(`${name}.bary`, points.bary);
   if (bary.length === 3 * face.length) return { face, bary };
   throw invalidArgument(
-    `${name}.bary has length ${bary.length}, not ${3 * face.length}: three numbers for each of ${name}.face`,
+    `${name}.bary has ${counted(bary.length, 'number')}, not ${integer(3 * face.length)}: three for each of ${name}.face`,
   );
 }
 
