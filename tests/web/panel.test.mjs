@@ -115,7 +115,7 @@ suite('the panel', () => {
     assert.equal(await text('#region-areas'), `${shares.join(' to ')} × mean`);
     await viewer.page.waitForFunction(() =>
       ['open', 'diagram', 'draw'].every((stage) =>
-        /^[\d.]+ m?s$/.test(document.getElementById(`time-${stage}`).textContent),
+        /^[\d.]+\u00a0m?s$/.test(document.getElementById(`time-${stage}`).textContent),
       ),
     );
   });
