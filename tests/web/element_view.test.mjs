@@ -175,6 +175,33 @@ suite('the view of the element', () => {
     assert.equal(width, 450);
   });
 
+  test('where CSS turns, skews and mirrors it, sites are where they are drawn, and clicks meet them', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
+    const { index, place, label } = await viewer.evaluate(async (viewer) => {
+      document.body.style.cssText =
+        'transform: translate(250px, 120px) rotate(30deg) skewX(20deg) scale(-1, 0.8)';
+      const places = viewer.project(await viewer.mesh.positionsOf(viewer.sites));
+      const index = places.findIndex((place) => place);
+      const label = document.createElement('i');
+      viewer.shadowRoot.append(label);
+      const { x, y } = places[index];
+      label.style.cssText = `position: absolute; left: ${x}px; top: ${y}px`;
+      return { index, place: viewer.sitePosition(index), label: label.getBoundingClientRect() };
+    });
+    const distance = Math.hypot(place.x - label.x, place.y - label.y);
+    assert.ok(distance < 1, `drawn ${distance} pixels beside where it is`);
+    await viewer.page.mouse.click(place.x, place.y);
+    assert.equal(await viewer.evaluate(({ selected }) => selected), index);
+    const { x, y } = await viewer.freePlace();
+    const wanted = await viewer.evaluate((viewer, { x, y }) => viewer.surfaceFromPoint(x, y).face, {
+      x,
+      y,
+    });
+    await viewer.after('sites-change', () => viewer.page.mouse.click(x, y));
+    const { face } = await viewer.sites();
+    assert.equal(face.at(-1), wanted);
+  });
+
   test('in full screen it is on the ground of the page, not on black', async () => {
     const viewer = await browser.open({ path: 'one.html' });
     await viewer.evaluate((viewer) => viewer.requestFullscreen());

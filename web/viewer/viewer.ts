@@ -225,7 +225,7 @@ export class Viewer implements Workpiece {
   sitePosition(index: number): { x: number; y: number } | undefined {
     if (!this.#model || !this.session.sites[index]) return undefined;
     const place = this.#model.drawing.sites.place(index);
-    const client = this.stage.projection()(place);
+    const client = this.stage.projection(this.stage.toPage)(place);
     return client && !this.#model.hidesSite(index, this.stage.camera.object) ? client : undefined;
   }
 

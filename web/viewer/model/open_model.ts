@@ -81,14 +81,11 @@ export class OpenModel {
   /** See `GeodesicVoronoiElement.project`. */
   project(positions: ArrayLike<number>, stage: Stage): ({ x: number; y: number } | undefined)[] {
     const places = this.drawing.mesh.frame.toScene(positions);
-    const toClient = stage.projection();
-    const { left, top } = stage.canvas.getBoundingClientRect();
-    const zoom = stage.zoom();
+    const toView = stage.projection(stage.toView);
     return Array.from({ length: places.length / 3 }, (_, i) => {
       const place = new Vector3().fromArray(places, 3 * i);
-      const client = toClient(place);
-      if (!client || this.picker.hides(place, stage.camera.object)) return undefined;
-      return { x: (client.x - left) / zoom, y: (client.y - top) / zoom };
+      const seen = toView(place);
+      return seen && !this.picker.hides(place, stage.camera.object) ? seen : undefined;
     });
   }
 

@@ -14,7 +14,13 @@ import {
 import { StageCamera } from './stage_camera.js';
 import type { DrawnPixels } from './picture_file.js';
 import type { Picture, SharedRenderer } from './shared_renderer.js';
+import { ViewOnPage } from './view_on_page.js';
 import type { Padding } from './view_padding.js';
+
+interface Point {
+  x: number;
+  y: number;
+}
 
 /** How many pixels per CSS pixel are drawn at most: more are hardly seen, and take as much longer. */
 const mostPixelRatio = 2;
@@ -28,6 +34,7 @@ export class Stage {
   readonly camera: StageCamera;
   readonly #renderer: SharedRenderer;
   readonly #picture: CanvasRenderingContext2D;
+  readonly #onPage: ViewOnPage;
   readonly #scene = new Scene();
   #drawing = 0;
   #isInView = true;
@@ -36,6 +43,7 @@ export class Stage {
   constructor(canvas: HTMLCanvasElement, renderer: SharedRenderer, cameraMoved: () => void) {
     this.canvas = canvas;
     this.#renderer = renderer;
+    this.#onPage = new ViewOnPage(canvas);
     this.#picture = canvas.getContext('2d') as CanvasRenderingContext2D;
     this.camera = new StageCamera(canvas, cameraMoved, () => this.invalidate());
     this.#scene.add(this.camera.object);
@@ -69,7 +77,7 @@ export class Stage {
   #draw(): void {
     this.#isOutdated = !this.#isInView;
     if (this.#isOutdated || this.camera.size.width === 0) return;
-    const zoom = Math.max(1, this.zoom());
+    const zoom = Math.max(1, this.#zoom());
     const pixelRatio = Math.min(zoom * devicePixelRatio, mostPixelRatio);
     this.#renderer.draw(this.#view(pixelRatio), this.#picture);
   }
@@ -110,37 +118,42 @@ export class Stage {
   }
 
   /** How many times as large as its CSS says the view is: slides and the like are scaled to fit. */
-  zoom(): number {
+  #zoom(): number {
     const { width } = getComputedStyle(this.canvas);
-    return this.canvas.getBoundingClientRect().width / Number.parseFloat(width);
+    const { a, b } = this.toPage;
+    return (2 * Math.hypot(a, b)) / Number.parseFloat(width);
   }
 
-  /** Device coordinates (-1 … 1) of a place on the page. */
+  /** From device coordinates (-1 … 1) to places on the page. */
+  get toPage(): DOMMatrix {
+    return this.#onPage.toPage;
+  }
+
+  /** From device coordinates to CSS pixels from the view's corner. */
+  get toView(): DOMMatrix {
+    const { width, height } = this.camera.size;
+    return new DOMMatrix([width / 2, 0, 0, -height / 2, width / 2, height / 2]);
+  }
+
+  /** Device coordinates of a place on the page. */
   toDevice(clientX: number, clientY: number): Vector2 {
-    const box = this.canvas.getBoundingClientRect();
-    return new Vector2(
-      (2 * (clientX - box.left)) / box.width - 1,
-      1 - (2 * (clientY - box.top)) / box.height,
-    );
+    const { x, y } = this.toPage.inverse().transformPoint({ x: clientX, y: clientY });
+    return new Vector2(x, y);
   }
 
   /**
-   * A function that maps points of the scene to places on the page, undefined for points behind the
-   * camera and for those that are not finite. It holds while the camera stands still.
+   * A function that maps points of the scene to where they are seen, by `toPage` or `toView`;
+   * undefined for points behind the camera and for those that are not finite. It holds while the
+   * camera stands still.
    */
-  projection(): (point: Vector3) => { x: number; y: number } | undefined {
+  projection({ a, b, c, d, e, f }: DOMMatrix): (point: Vector3) => Point | undefined {
     const { object: camera } = this.camera;
     this.camera.fitDepthRange(); // or what is far away now would count as behind the camera
     camera.updateMatrixWorld();
-    const box = this.canvas.getBoundingClientRect();
     const device = new Vector3();
     return (point) => {
-      device.copy(point).project(camera);
-      if (!(device.z <= 1)) return undefined;
-      return {
-        x: box.left + ((device.x + 1) * box.width) / 2,
-        y: box.top + ((1 - device.y) * box.height) / 2,
-      };
+      const { x, y, z } = device.copy(point).project(camera);
+      return z <= 1 ? { x: a * x + c * y + e, y: b * x + d * y + f } : undefined;
     };
   }
 

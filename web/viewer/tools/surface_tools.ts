@@ -111,12 +111,12 @@ export class SurfaceTools {
     if (!model || !layers.includes('sites') || this.#isExploded || interactive !== 'edit')
       return undefined;
     const { drawing } = model;
-    const toClient = stage.projection();
+    const toPage = stage.projection(stage.toPage);
     const nearby: DrawnSite[] = [];
     session.sites.forEach(({ id }, i) => {
-      const client = toClient(drawing.sites.place(i));
-      if (client && Math.hypot(client.x - x, client.y - y) <= reach * (1 + 1 / reachShare))
-        nearby.push({ id, index: i, ...client });
+      const place = toPage(drawing.sites.place(i));
+      if (place && Math.hypot(place.x - x, place.y - y) <= reach * (1 + 1 / reachShare))
+        nearby.push({ id, index: i, ...place });
     });
     // Rays are cast for few of them: most are out of reach, or hidden by none.
     const nearestSeen = (at: { x: number; y: number }, most: number, but?: DrawnSite) =>
