@@ -57,8 +57,7 @@ function noteOn(info: MeshInfo, weld: (() => void) | undefined): void {
     });
   } else if (cuts > 0) {
     showNote(
-      `This model is cut apart at ${counted(cuts, 'edge')} where its triangles do not fit ` +
-        'together: no path leads across. “Model”, in the controls, tells more.',
+      `This model is cut apart at ${counted(cuts, 'edge')} where triangles do not fit: no path leads across.`,
     );
   }
 }
