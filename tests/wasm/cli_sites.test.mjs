@@ -10,6 +10,16 @@ import { fails, folder, read, succeeds, write } from './command.mjs';
 import { glb, grid } from './meshes.mjs';
 import { near } from './expectations.mjs';
 
+test('sites that were written in the coordinates of a map are on the surface again', () => {
+  write(
+    'map.obj',
+    'v 500000.1 6000000.3 7\nv 500020.7 6000000.3 9\nv 500000.1 6000030.9 8\nf 1 2 3\n',
+  );
+  succeeds('cvt map.obj --sites 40 --iterations 0 -o map.csv');
+  const { stderr } = succeeds('diagram map.obj --sites map.csv -o map.json');
+  assert.doesNotMatch(stderr, /from the surface/);
+});
+
 test('sites and points by their coordinates', () => {
   write('places.json', '{"position": [1, 0, 0, 0, 2, 0]}');
   write('corners.json', '{"vertex": [0, 2]}');

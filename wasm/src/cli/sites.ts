@@ -57,12 +57,15 @@ function roundingNotes(
 ): string[] {
   if (endingOf(target) !== '.stl') return [];
   const visibleShare = 1e-6; // of the diagonal, as where open seams are looked for
-  const farthest = positions.reduce((most, x) => Math.max(most, Math.abs(x) || 0), 0);
-  const rounding = 2 ** -24 * farthest;
+  const rounding = 2 ** -24 * greatest(positions);
   if (rounding <= visibleShare * info.boundingDiagonal) return [];
   return [
     `an STL rounds positions to 32 bits, here by up to ${(units.scale * rounding).toPrecision(2)}; .ply and .obj keep all digits`,
   ];
+}
+
+function greatest(coordinates: Float64Array): number {
+  return coordinates.reduce((most, x) => Math.max(most, Math.abs(x) || 0), 0);
 }
 
 /** What the lengths of a result are in: as --units says, or in the model's own unit, which glTF has. */
@@ -134,7 +137,8 @@ async function closestOf(
   const farthest = closest.distance.reduce((most, d) => Math.max(most, d), 0);
   const { boundingDiagonal } = mesh.info;
   const isFar = farthest > boundingDiagonal; // of another model, or in another unit
-  if (isFar || (!quiet && farthest > Number.EPSILON * boundingDiagonal)) {
+  const rounding = 2 * Number.EPSILON * Math.max(boundingDiagonal, greatest(places));
+  if (isFar || (!quiet && farthest > rounding)) {
     const count = closest.face.length;
     const places = count === 1 ? 'the place is' : `the farthest of ${count} places is`;
     process.stderr.write(
