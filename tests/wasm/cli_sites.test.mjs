@@ -188,6 +188,8 @@ test('sites from a PLY and a CSV of places', () => {
   write('four.csv', rows.map((row) => `${row.join(', ')}\n`).join(''));
   const named = rows.map(([x, y, z], i) => `${i};${z};${x};${y}`);
   write('named.csv', ['# measured', '"id";"Z";"X";"Y"', ...named].join('\r\n'));
+  const decimal = rows.map((row) => row.join(';').replaceAll('.', ','));
+  write('decimal-commas.csv', ['\ufeffx;y;z', ...decimal, ''].join('\r\n'));
   const quoted = rows.map(([x, y, z], i) => `"a, ""${i}""; b",7,"${x}", ${y} ,"${z}"`);
   write('quoted.csv', ['name of it,"weight",x,"y", "z"', ...quoted].join('\n'));
   // As pandas writes a table.
@@ -215,6 +217,7 @@ test('sites from a PLY and a CSV of places', () => {
     'four.ply',
     'four.csv',
     'named.csv',
+    'decimal-commas.csv',
     'quoted.csv',
     'indexed.csv',
     'slicer.fcsv',

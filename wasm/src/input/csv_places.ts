@@ -34,7 +34,7 @@ export function* readCsvPlaces(bytes: Uint8Array): SlicedWork<number[]> {
     if (isFirst) {
       const inComment = wordsOf(comment, pattern);
       if (inComment.length === words.length) columns = columnsOf(inComment) ?? columns;
-      if (columns.some((column) => Number.isNaN(decimal(words[column] ?? '')))) {
+      if (columns.some((column) => Number.isNaN(decimalIn(words[column] ?? '')))) {
         columns = columnsOf(words) ?? refuseNames(words, lineNumber);
         names = words.length;
         continue;
@@ -78,7 +78,12 @@ function refuseNames(names: readonly string[], line: number): never {
 }
 
 function numberOf(word: string | undefined, line: number, axis: string): number {
-  const value = word ? decimal(word) : NaN;
+  const value = word ? decimalIn(word) : NaN;
   if (Number.isFinite(value)) return value;
   throw new Error(`line ${line}: ${axis} is ${word ? `'${word}', not a number` : 'missing'}`);
+}
+
+/** A number with a decimal point, or with a decimal comma, as spreadsheets write it in many languages. */
+function decimalIn(word: string): number {
+  return decimal(word.replace(',', '.'));
 }
