@@ -558,6 +558,7 @@ test('what writes files', async () => {
     api.partitionObj,
     api.partitionPly,
     api.partitionStl,
+    api.partitionCsv,
     api.polygonJson,
     api.polygonGlb,
     api.polygonObj,
@@ -582,6 +583,7 @@ test('what writes files', async () => {
     [api.partitionJson, partition, { sites }],
     [api.polygonJson, polygons],
     [api.partitionStl, partition],
+    [api.partitionCsv, partition],
     [api.polygonStl, polygons],
   ];
   for (const [f, value, more] of plain) {

@@ -574,9 +574,11 @@ suite('files', () => {
     const isPly = (content) => content.subarray(0, 3).toString() === 'ply';
     const isStl = (content) => content.length === 84 + 50 * content.readUint32LE(80);
     const isDiagram = (content) => JSON.parse(content).regions.length === regions;
+    const isTable = (content) => content.toString().trim().split('\n').length === regions + 1;
     const isPng = (content) => content.subarray(1, 4).toString() === 'PNG';
     const files = [
       ['diagram', 'json', isDiagram],
+      ['regions', 'csv', isTable],
       ['bisectors', 'glb', isGlb],
       ['bisectors', 'obj', isObj],
       ['picture', '1x', isPng],

@@ -3,6 +3,7 @@
 // Files of the results, by the ending of the output.
 
 import { extname } from 'node:path';
+import { column, csv } from '../output/csv.js';
 import { diagramGlb, diagramJson, diagramObj } from '../output/diagram_formats.js';
 import {
   distancesGlb,
@@ -13,6 +14,7 @@ import {
 } from '../output/distance_formats.js';
 import { lengthsJson, placedPointsJson, pointsJson } from '../output/json_forms.js';
 import {
+  partitionCsv,
   partitionGlb,
   partitionJson,
   partitionObj,
@@ -86,19 +88,6 @@ export function isJsonReport(target: Target): boolean {
 }
 
 const text = (json: object): string => textOf(() => `${JSON.stringify(json)}\n`);
-
-/** A table: a line of names, then one of numbers for each row; nothing for what is not finite. */
-function csv(columns: { [name: string]: ArrayLike<number> }): string {
-  const lists = Object.values(columns);
-  const cell = (x: number) => (Number.isFinite(x) ? String(x) : '');
-  const rows = Array.from(lists[0], (_, i) => lists.map((list) => cell(list[i])).join(','));
-  return textOf(() => `${[Object.keys(columns).join(','), ...rows].join('\n')}\n`);
-}
-
-/** The numbers at one place in each group of `size`. */
-function column(values: Float64Array, size: number, at: number): Float64Array {
-  return Float64Array.from({ length: values.length / size }, (_, i) => values[size * i + at]);
-}
 
 /** What tells later that sites or points of a file are not those of another mesh. */
 const ofMesh = ({ info }: Mesh) => ({ mesh: { faces: info.inputFaces } });
@@ -190,21 +179,7 @@ export const partitionEncoders: Encoders<PartitionResult> = {
   '.obj': ({ partition, mesh }, { scale }) => partitionObj(partition, { mesh, scale }),
   '.ply': ({ partition, mesh }, { scale }) => partitionPly(partition, { mesh, scale }),
   '.stl': ({ partition, region }, { scale }) => partitionStl(partition, { region, scale }),
-  '.csv': ({ partition: { regions } }, { scale }) => {
-    const [x, y, z] = [0, 1, 2].map((k) => column(regions.centroid, 3, k).map((c) => scale * c));
-    return csv({
-      label: [...regions.area.keys()],
-      area: regions.area.map((a) => scale * scale * a),
-      perimeter: regions.perimeter.map((p) => scale * p),
-      boundaryLength: regions.boundaryLength.map((b) => scale * b),
-      centroid_x: x,
-      centroid_y: y,
-      centroid_z: z,
-      components: regions.components,
-      loops: regions.loops,
-      genus: regions.genus,
-    });
-  },
+  '.csv': ({ partition }, { scale }) => partitionCsv(partition, { scale }),
 };
 
 /** Options about the files of one ending. */

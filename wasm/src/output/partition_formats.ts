@@ -24,6 +24,7 @@ import {
   type PlacedPointsJson,
   type SurfacePointsJson,
 } from './json_forms.js';
+import { column, csv } from './csv.js';
 import { emptyGlb, GlbBuilder } from './glb.js';
 import { ply } from './ply.js';
 import type { Partition, SurfacePoints } from '../api/results.js';
@@ -282,6 +283,25 @@ export function partitionStl(
   const corners = triangles.points.subarray(3 * (part?.first ?? 0), 3 * (part?.last ?? 0));
   const what = region === undefined ? 'Regions' : nameOf(region);
   return stl(`${what} of a geodesic Voronoi diagram`, points.position, corners, scale);
+}
+
+/** A table of the regions' measures and topology, a row each. */
+export function partitionCsv(partition: Partition, options?: FileOptions): string {
+  const { regions } = toPartition(partition);
+  const { scale } = toFileOptions(options, {});
+  const [x, y, z] = [0, 1, 2].map((k) => column(regions.centroid, 3, k).map((c) => scale * c));
+  return csv({
+    label: [...regions.area.keys()],
+    area: regions.area.map((a) => scale * scale * a),
+    perimeter: regions.perimeter.map((p) => scale * p),
+    boundaryLength: regions.boundaryLength.map((b) => scale * b),
+    centroid_x: x,
+    centroid_y: y,
+    centroid_z: z,
+    components: regions.components,
+    loops: regions.loops,
+    genus: regions.genus,
+  });
 }
 
 function allOf({ triangles }: Partition): TriangleRun {

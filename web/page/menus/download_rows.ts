@@ -38,6 +38,12 @@ export const rows = [
     name: 'diagram',
     formats: ['json'],
   },
+  {
+    title: 'Table of regions',
+    hint: 'Area, perimeter, centroid and topology of each',
+    name: 'regions',
+    formats: ['csv'],
+  },
   { title: 'Bisectors', hint: 'As lines in space', name: 'bisectors', formats: ['glb', 'obj'] },
   {
     title: 'Regions as meshes',

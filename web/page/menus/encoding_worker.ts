@@ -8,6 +8,7 @@ import {
   diagramGlb,
   diagramJson,
   diagramObj,
+  partitionCsv,
   partitionGlb,
   partitionObj,
   partitionPly,
@@ -36,6 +37,7 @@ const encoders = {
   diagramJson: (...diagram: Parameters<typeof diagramJson>) =>
     JSON.stringify(diagramJson(...diagram)),
   diagramObj,
+  partitionCsv,
   partitionGlb,
   partitionObj,
   partitionPly,

@@ -68,6 +68,7 @@ const makers: Record<string, Record<string, Maker>> = {
     ply: async (source) => ['partitionPly', ...(await colouredParts(source))],
     stl: async ({ diagram }) => ['partitionStls', await diagram.partition()],
   },
+  regions: { csv: async ({ diagram }) => ['partitionCsv', await diagram.partition()] },
   polygons: polygonMakers(regionPolygons),
   dual: polygonMakers(dualPolygons),
 } satisfies { [Name in Exclude<keyof Formats, 'picture'>]: Record<Formats[Name], Maker> };
