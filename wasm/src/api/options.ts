@@ -216,7 +216,8 @@ export interface MeshArrays {
  */
 export interface ThreeGeometry {
   readonly isBufferGeometry: true;
-  readonly attributes: Readonly<Record<string, ThreeAttribute>>;
+  /** Those that are read are `ThreeAttribute`s; older types of three.js allow others. */
+  readonly attributes: Readonly<Record<string, object>>;
   readonly index: ThreeAttribute | null;
 }
 

@@ -142,8 +142,9 @@ function arraysOf({ attributes, index }: ThreeGeometry): MeshArrays {
 }
 
 /** The first numbers of each vertex, `size` of them, wherever they are stored and in which unit. */
-function valuesOf(name: string, attribute: ThreeAttribute, size: number): Float64Array {
+function valuesOf(name: string, given: object, size: number): Float64Array {
   const getters = (['getX', 'getY', 'getZ'] as const).slice(0, size);
+  const attribute = given as ThreeAttribute;
   if (!isObject(attribute) || getters.some((get) => typeof attribute[get] !== 'function'))
     throw invalidArgument(
       `the geometry's ${name} is ${show(attribute)}, not an attribute of three.js`,
