@@ -48,6 +48,60 @@ const pixels = (viewer, picture, kind) =>
     { picture, kind },
   );
 
+/** A closed plate of width 2 and n × n squares on each side, the upper one first. */
+function plate(n, thickness) {
+  const positions = [0, -thickness].flatMap((y) =>
+    Array.from({ length: (n + 1) ** 2 }, (_, i) => [
+      (2 * (i % (n + 1))) / n - 1,
+      y,
+      (2 * Math.floor(i / (n + 1))) / n - 1,
+    ]),
+  );
+  const indices = [];
+  const add = (a, b, c, d) => indices.push(a, b, c, a, c, d);
+  const at = (x, z, isLow) => (isLow ? (n + 1) ** 2 : 0) + z * (n + 1) + x;
+  for (const isLow of [false, true])
+    for (let z = 0; z < n; ++z)
+      for (let x = 0; x < n; ++x) {
+        const corners = [at(x, z), at(x, z + 1), at(x + 1, z + 1), at(x + 1, z)];
+        const own = corners.map((corner) => corner + at(0, 0, isLow));
+        add(...(isLow ? own.reverse() : own));
+      }
+  for (let i = 0; i < n; ++i) {
+    add(at(i, 0), at(i + 1, 0), at(i + 1, 0, true), at(i, 0, true));
+    add(at(i + 1, n), at(i, n), at(i, n, true), at(i + 1, n, true));
+    add(at(0, i + 1), at(0, i), at(0, i, true), at(0, i + 1, true));
+    add(at(n, i), at(n, i + 1), at(n, i + 1, true), at(n, i, true));
+  }
+  return { positions: positions.flat(), indices };
+}
+
+test('bisectors behind a thin wall do not show through it', async () => {
+  const n = 20;
+  const viewer = await opened(plate(n, 0.01));
+  assert.equal(await viewer.evaluate(({ info }) => info.boundaryLoops), 0);
+  const centre = n * n + n; // among the triangles of a side
+  const below = [-2, 2].flatMap((x) => [-2, 2].map((z) => 2 * n * n + centre + 2 * (n * z + x)));
+  const face = [centre, ...below];
+  await viewer.after('diagram', () =>
+    viewer.set({ sites: { face, bary: face.flatMap(() => [0.4, 0.3, 0.3]) } }),
+  );
+  await viewer.set({ cameraOrbit: '0deg 80deg auto' });
+  const [bare, lined] = [await viewer.picture(), await viewer.picture(['regions', 'bisectors'])];
+  // The regions below meet where x or z is 0, those above nowhere near the middle.
+  const { left, top } = await viewer.evaluate((viewer) => viewer.getBoundingClientRect());
+  const xs = [0.2, 0.3, 0.4, 0.5, 0.6];
+  const middle = await viewer.evaluate(
+    (viewer, places) => viewer.project(places),
+    xs.flatMap((x) => [x, 0, 0]),
+  );
+  for (const { x, y } of middle)
+    for (const below of [0, 1, 2, 3]) {
+      const place = { x: left + x, y: top + y + below };
+      assert.ok(!(await viewer.difference(bare, lined, place)).there, `${below} pixels below`);
+    }
+});
+
 test('dots and lines leave the colours of thousands of small regions to be seen', async () => {
   const viewer = await opened(torus(), { sites: 10_000 });
   const picture = await viewer.picture(['regions', 'bisectors', 'sites']);

@@ -203,7 +203,7 @@ suite('a diagram that changes', () => {
           if (perShape === 3 && corners[0] === corners[1]) continue; // without extent
           const numbers = corners.map((corner) =>
             names.map((name) => {
-              const width = isLines ? 6 : attributes[name].itemSize;
+              const width = attributes[name].data?.stride ?? attributes[name].itemSize;
               return of(attributes[name])
                 .subarray(width * corner, width * (corner + 1))
                 .join();

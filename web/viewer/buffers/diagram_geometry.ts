@@ -11,13 +11,13 @@ import type { SceneMesh } from './scene_mesh.js';
 
 /** The parts of a diagram that its geometry is made from. */
 export interface DiagramLines extends Cells {
-  segments: Pick<DiagramData['segments'], 'points'>;
+  segments: Pick<DiagramData['segments'], 'face' | 'points'>;
 }
 
 export interface DiagramGeometry {
   cells: CellTriangles;
-  /** x, y, z of both ends of every segment of the bisectors, and room for more segments. */
-  segmentEnds: Float32Array;
+  /** See `segmentRecords`; there is room for more segments. */
+  segments: Float32Array;
 }
 
 /** Everything that is drawn of a diagram. */
@@ -33,7 +33,28 @@ export function diagramGeometry(
   mesh: SceneMesh,
   { cells, points, segments }: DiagramLines,
 ): DiagramGeometry {
-  const segmentEnds = new Float32Array(6 * roomFor(segments.points.length / 2));
-  mesh.frame.toScene(points.position, segments.points, segmentEnds);
-  return { cells: cellTriangles(mesh, { cells, points }, roomFor), segmentEnds };
+  return {
+    cells: cellTriangles(mesh, { cells, points }, roomFor),
+    segments: segmentRecords(mesh, { points, segments }, roomFor),
+  };
+}
+
+const centre = [1 / 3, 1 / 3, 1 / 3];
+
+/**
+ * Of every segment of the bisectors, x, y, z of both ends and of the shading normal of its face;
+ * with room for `roomFor(count)` segments.
+ */
+export function segmentRecords(
+  mesh: SceneMesh,
+  { points, segments: { face, points: ends } }: Pick<DiagramLines, 'points' | 'segments'>,
+  roomFor = (count: number) => count,
+): Float32Array {
+  const places = mesh.frame.toScene(points.position, ends);
+  const records = new Float32Array(9 * roomFor(face.length));
+  for (let i = 0; i < face.length; ++i) {
+    for (let k = 0; k < 6; ++k) records[9 * i + k] = places[6 * i + k];
+    mesh.writeNormal(face[i], centre, records, 9 * i + 6);
+  }
+  return records;
 }

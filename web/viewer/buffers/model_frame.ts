@@ -46,16 +46,13 @@ export class ModelFrame {
 
   /**
    * Converts x, y, z triples to the scene: all of them, or those with these numbers. Subtracts
-   * before rounding: far origins do no harm. The result may have room for more.
+   * before rounding: far origins do no harm.
    */
-  toScene(
-    positions: ArrayLike<number>,
-    numbers?: ArrayLike<number>,
-    scene = new Float32Array(numbers ? 3 * numbers.length : positions.length),
-  ): Float32Array {
+  toScene(positions: ArrayLike<number>, numbers?: ArrayLike<number>): Float32Array {
     const [x, y, z] = this.centre;
     const { scale } = this;
     const count = numbers ? numbers.length : positions.length / 3;
+    const scene = new Float32Array(3 * count);
     for (let i = 0; i < count; ++i) {
       const from = 3 * (numbers ? numbers[i] : i);
       scene[3 * i] = (positions[from] - x) * scale;

@@ -28,6 +28,10 @@ const limitedWidth = `min(
   0.5 * widest * resolution.y * projectionMatrix[1][1] / (position.y < 0.5 ? clipStart : clipEnd).w
 )`;
 
+/** Whether the surface is seen from behind there, as GLSL of LineMaterial. */
+const isFromBehind =
+  'front * dot((modelViewMatrix * vec4(instanceNormal, 0.0)).xyz, start.xyz) > 0.0';
+
 /**
  * The polygon offset of a surface with lines on it. Lines are some pixels wide, so on a slope their
  * depth differs by the slope times half their width: that is what the factor adds.
@@ -43,18 +47,23 @@ const rimmedWidth = 2;
 /** Line segments of a width in CSS pixels, at any zoom. */
 export class FatLines {
   readonly object: LineSegments2;
-  /** x, y, z of both ends. */
-  readonly #segments = new RecordBuffer((n) => [
-    new InstancedInterleavedBuffer(new Float32Array(6 * n), 6),
-  ]);
-
+  readonly #segments: RecordBuffer;
+  /** Numbers per segment: x, y, z of both ends and, if it has one, of the normal. */
+  readonly #size: number;
+  readonly #front = { value: 0 };
   readonly #widest = { value: 1e9 };
   /** Wider lines at the same places, drawn before these. */
   #rim: LineSegments2 | undefined;
   readonly #widestRim = { value: 1e9 };
 
-  constructor({ width }: { width: number }) {
-    this.object = new LineSegments2(new LineSegmentsGeometry(), lineMaterial(width, this.#widest));
+  /** With normals, the segments are records of both ends and the normal of the surface there. */
+  constructor({ width, hasNormals = false }: { width: number; hasNormals?: boolean }) {
+    this.#size = hasNormals ? 9 : 6;
+    this.#segments = new RecordBuffer((n) => [
+      new InstancedInterleavedBuffer(new Float32Array(this.#size * n), this.#size),
+    ]);
+    const material = lineMaterial(width, { widest: this.#widest, front: this.#front });
+    this.object = new LineSegments2(new LineSegmentsGeometry(), material);
     this.object.frustumCulled = false;
     this.object.visible = false;
   }
@@ -63,6 +72,15 @@ export class FatLines {
   set widest(width: number) {
     this.#widest.value = width;
     this.#widestRim.value = rimmedWidth * width;
+  }
+
+  /**
+   * The side that is seen of the surface, as the sign of its normals; 0 if both may be. Lines where
+   * the other side faces the camera are not drawn: the polygon offset of a thin wall would let them
+   * show through it.
+   */
+  set front(side: number) {
+    this.#front.value = side;
   }
 
   /** The colour of a rim, for lines on a surface of any colour; undefined for none. */
@@ -76,7 +94,8 @@ export class FatLines {
     // Drawn after the surface and before the lines; without depth, the lines are drawn over it.
     object.renderOrder = colour === undefined ? 0 : 0.5;
     if (colour === undefined) return;
-    const material = lineMaterial(rimmedWidth * object.material.linewidth, this.#widestRim);
+    const width = rimmedWidth * object.material.linewidth;
+    const material = lineMaterial(width, { widest: this.#widestRim, front: this.#front });
     material.color.set(colour);
     material.depthWrite = false;
     this.#rim = new LineSegments2(object.geometry, material);
@@ -103,14 +122,15 @@ export class FatLines {
    * Like `set`, but with two keys per segment, by which some can be replaced later. Takes over the arrays;
    * there may be room for more segments than keys.
    */
-  adopt(ends: Float32Array, keys: Keys): void {
-    this.#segments.adopt(keys, [new InstancedInterleavedBuffer(ends, 6)], ends.length / 6);
+  adopt(segments: Float32Array, keys: Keys): void {
+    const buffer = new InstancedInterleavedBuffer(segments, this.#size);
+    this.#segments.adopt(keys, [buffer], segments.length / this.#size);
     this.#adopt();
   }
 
   /** Replaces the segments that are gone by others. */
-  replace(gone: Marks, ends: Float32Array, keys: Keys): void {
-    this.#segments.replace(gone, keys, [ends]);
+  replace(gone: Marks, segments: Float32Array, keys: Keys): void {
+    this.#segments.replace(gone, keys, [segments]);
     this.#adopt();
   }
 
@@ -129,6 +149,8 @@ export class FatLines {
       const geometry = new LineSegmentsGeometry();
       geometry.setAttribute('instanceStart', new InterleavedBufferAttribute(buffer, 3, 0));
       geometry.setAttribute('instanceEnd', new InterleavedBufferAttribute(buffer, 3, 3));
+      if (this.#size > 6)
+        geometry.setAttribute('instanceNormal', new InterleavedBufferAttribute(buffer, 3, 6));
       geometry.boundingSphere = wholeScene;
       this.object.geometry = geometry;
       if (this.#rim) this.#rim.geometry = geometry;
@@ -138,13 +160,19 @@ export class FatLines {
   }
 }
 
-function lineMaterial(width: number, widest: { value: number }): LineMaterial {
+function lineMaterial(
+  width: number,
+  uniforms: Record<'widest' | 'front', { value: number }>,
+): LineMaterial {
   // Only multisampling smooths lines: alpha coverage would let the page shine through the canvas.
   const material = new LineMaterial({ linewidth: width });
-  material.uniforms.widest = widest;
+  Object.assign(material.uniforms, uniforms);
   material.vertexShader = material.vertexShader
-    .replace('uniform float linewidth;', 'uniform float linewidth;\nuniform float widest;')
-    .replace('offset *= linewidth;', `offset *= ${limitedWidth};`);
+    .replace(
+      'uniform float linewidth;',
+      'uniform float linewidth, widest, front;\nattribute vec3 instanceNormal;',
+    )
+    .replace('offset *= linewidth;', `offset *= ${isFromBehind} ? 0.0 : ${limitedWidth};`);
   return material;
 }
 

@@ -12,7 +12,11 @@ import {
   type Object3D,
 } from 'three';
 import { css } from '../buffers/colour_vision.js';
-import type { DiagramGeometry, PreparedDiagram } from '../buffers/diagram_geometry.js';
+import {
+  type DiagramGeometry,
+  type PreparedDiagram,
+  segmentRecords,
+} from '../buffers/diagram_geometry.js';
 import type { DiagramSummary } from '../buffers/diagram_summary.js';
 import type { PartTriangles } from '../buffers/part_triangles.js';
 import { type DrawnDistances, DistanceSurface } from './distance_surface.js';
@@ -72,7 +76,7 @@ export class ModelDrawing {
   readonly #surface: RegionSurface;
   readonly #colours: RegionColours;
   /** Each segment has its two labels as keys. */
-  readonly #bisectors = new FatLines({ width: 2 });
+  readonly #bisectors = new FatLines({ width: 2, hasNormals: true });
   readonly #brush = new FatLines({ width: 2.5 });
   /** From the point under the pointer to its site. */
   readonly #path = new FatLines({ width: 2.5 });
@@ -111,6 +115,7 @@ export class ModelDrawing {
   set front(side: number) {
     this.sites.front = side;
     this.#voronoiPoints.markers.front = side;
+    this.#bisectors.front = side;
   }
 
   get theme(): Theme {
@@ -290,8 +295,9 @@ export class ModelDrawing {
 
   /** The bisectors and Voronoi points of a diagram. */
   #setLines(lines: Lines | undefined, geometry: DiagramGeometry | undefined): void {
-    const ends = geometry?.segmentEnds ?? this.#segmentEnds(lines);
-    this.#bisectors.adopt(ends, lines?.segments.labels ?? new Int32Array());
+    const records =
+      geometry?.segments ?? (lines ? segmentRecords(this.mesh, lines) : new Float32Array());
+    this.#bisectors.adopt(records, lines?.segments.labels ?? new Int32Array());
     this.#voronoiPoints.set(lines, pointShare * this.sites.usualSize);
     this.#showBisectors();
   }
@@ -299,13 +305,8 @@ export class ModelDrawing {
   /** Replaces the bisectors and Voronoi points of the marked labels. */
   #replaceLines(isChanged: Uint8Array, lines: Lines): void {
     const gone = { first: isChanged, second: isChanged };
-    this.#bisectors.replace(gone, this.#segmentEnds(lines), lines.segments.labels);
+    this.#bisectors.replace(gone, segmentRecords(this.mesh, lines), lines.segments.labels);
     this.#voronoiPoints.replace(isChanged, lines, pointShare * this.sites.usualSize);
     this.#showBisectors();
-  }
-
-  #segmentEnds(lines: Lines | undefined): Float32Array {
-    if (!lines) return new Float32Array();
-    return this.mesh.frame.toScene(lines.points.position, lines.segments.points);
   }
 }

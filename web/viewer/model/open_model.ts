@@ -63,7 +63,7 @@ export class OpenModel {
     const geometry = this.builder.ask('diagram', {
       cells,
       points: { position: points.position },
-      segments: { points: segments.points },
+      segments: { face: segments.face, points: segments.points },
     });
     const summary = DiagramSummary.of(data);
     const tones = this.drawing.assignTones(summary, sites);
