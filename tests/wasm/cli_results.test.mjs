@@ -193,6 +193,9 @@ test('locate gives null for what no site reaches', () => {
 test('distances as JSON, PLY and GLB', async () => {
   const { stderr } = succeeds('distances two.glb --sites sites.json -o d.json --units 2');
   assert.match(stderr, /^6 of 10 vertices reached, the farthest at [\d.]+\n$/m);
+  write('lone.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 9 9 9\nf 1 2 3\n');
+  const { stderr: all } = succeeds('distances lone.obj --sites {"vertex":[0]} -o lone.csv');
+  assert.match(all, /^3 of 3 vertices reached/, 'the last one is not on the surface');
   const { label, distance, direction } = JSON.parse(read('d.json'));
   assert.deepEqual([label[0], label[3], label[6]], [0, 1, -1]);
   assert.deepEqual([distance[0], distance[3], distance[6]], [0, 0, null]);

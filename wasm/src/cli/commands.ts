@@ -142,8 +142,9 @@ async function distances({ mesh: path, values }: Request<'distances'>): Promise<
   await output.write(encode({ mesh, distances }, lengthsOf(mesh, values)));
   const reached = distances.distance.filter((d) => d < Infinity);
   const farthest = reached.reduce((most, d) => Math.max(most, d), 0);
+  const onSurface = distances.label.length - mesh.info.repairs.isolatedVertices;
   output.summarise(
-    `${integer(reached.length)} of ${counted(distances.label.length, 'vertex', 'vertices')} reached, ` +
+    `${integer(reached.length)} of ${counted(onSurface, 'vertex', 'vertices')} reached, ` +
       `the farthest at ${(scale * farthest).toPrecision(6)}`,
   );
 }
