@@ -242,6 +242,7 @@ test('sites from a PLY and a CSV of places', () => {
   for (const [content, message] of [
     ['1, 2, 3\n1, 2', /bad\.csv: line 2: z is missing\n$/],
     ['x,y,z\n1,2,three', /bad\.csv: line 2: z is 'three', not a number\n$/],
+    ['x,y,z\n"1,234",5,6', /bad\.csv: line 2: x is '1,234', not a number\n$/],
     ['x,y,z\n1,2,0x10', /bad\.csv: line 2: z is '0x10', not a number\n$/],
     ['x,y\n1,2', /bad\.csv: line 1 is neither three numbers nor names with x, y and z: "x y"\n$/],
     [

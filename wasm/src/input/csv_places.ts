@@ -11,9 +11,10 @@ const axes = ['x', 'y', 'z'];
 /**
  * The places in a CSV. Its first line tells whether semicolons, commas or blanks part the columns, and
  * may name them; without names, the first three are read. A column in quotes may have any of these in
- * it. Lines that begin with # are comments; the last one before the first line may name the columns,
- * too, as NumPy and 3D Slicer write it. If the rows have one column more than the first line has names,
- * the first one has the names of the rows, as R writes them.
+ * it. Between semicolons or blanks, numbers may have decimal commas. Lines that begin with # are
+ * comments; the last one before the first line may name the columns, too, as NumPy and 3D Slicer write
+ * it. If the rows have one column more than the first line has names, the first one has the names of
+ * the rows, as R writes them.
  */
 export function* readCsvPlaces(bytes: Uint8Array): SlicedWork<number[]> {
   const text = new TextDecoder().decode(bytes);
@@ -22,19 +23,20 @@ export function* readCsvPlaces(bytes: Uint8Array): SlicedWork<number[]> {
   let comment = '';
   /** The number of names in the line before, if that is the first one. */
   let names = 0;
-  let pattern: RegExp | undefined;
+  let known: Table | undefined;
   let lineNumber = 0;
   for (const { 1: line, index } of text.matchAll(/([^\r\n]*)(\r\n|\r|\n|$)/g)) {
     if (lineNumber++ % linesPerStep === 0) yield index / text.length;
     if (/^\s*#/.test(line)) comment = line.replace(/^[\s#]*(columns\s*=)?/, '').trim();
     if (/^\s*(#|$)/.test(line)) continue;
-    const isFirst = !pattern;
-    pattern ??= columnPattern(line);
-    const words = wordsOf(line.trim(), pattern);
+    const isFirst = !known;
+    const table = known ?? new Table(line);
+    known = table;
+    const words = table.wordsOf(line.trim());
     if (isFirst) {
-      const inComment = wordsOf(comment, pattern);
+      const inComment = table.wordsOf(comment);
       if (inComment.length === words.length) columns = columnsOf(inComment) ?? columns;
-      if (columns.some((column) => Number.isNaN(decimalIn(words[column] ?? '')))) {
+      if (columns.some((column) => words[column] && Number.isNaN(table.numberOf(words[column])))) {
         columns = columnsOf(words) ?? refuseNames(words, lineNumber);
         names = words.length;
         continue;
@@ -43,26 +45,42 @@ export function* readCsvPlaces(bytes: Uint8Array): SlicedWork<number[]> {
     const hasRowNames = names > 0 && words.length === names + 1 && words.at(-1) !== '';
     if (hasRowNames) columns = columns.map((column) => column + 1);
     names = 0;
-    places.push(...columns.map((column, k) => numberOf(words[column], lineNumber, axes[k])));
+    for (const [k, column] of columns.entries()) {
+      const value = table.numberOf(words[column]);
+      if (!Number.isFinite(value)) refuseNumber(words[column], lineNumber, axes[k]);
+      places.push(value);
+    }
   }
   return places;
 }
 
-/** A column, in quotes or plain, and what ends it. */
-function columnPattern(line: string): RegExp {
-  const unquoted = line.replaceAll(/"[^"]*"/g, '');
-  const mark = [';', ','].find((each) => unquoted.includes(each));
-  const [plain, end] = mark ? [`[^${mark}]*`, mark] : ['\\S*', '\\s+'];
-  return new RegExp(`(?:\\s*"((?:[^"]|"")*)"\\s*(?=${end}|$)|(${plain}))(${end}|$)`, 'g');
-}
+/** How a table is written, as its first line tells. */
+class Table {
+  readonly #hasDecimalCommas: boolean;
+  /** A column, in quotes or plain, and what ends it. */
+  readonly #column: RegExp;
 
-function wordsOf(line: string, pattern: RegExp): string[] {
-  const words: string[] = [];
-  for (const [, quoted, plain, end] of line.matchAll(pattern)) {
-    words.push((quoted?.replaceAll('""', '"') ?? plain).trim());
-    if (!end) break;
+  constructor(firstLine: string) {
+    const unquoted = firstLine.replaceAll(/"[^"]*"/g, '');
+    const mark = [';', ','].find((each) => unquoted.includes(each));
+    const [plain, end] = mark ? [`[^${mark}]*`, mark] : ['\\S*', '\\s+'];
+    this.#hasDecimalCommas = mark !== ',';
+    this.#column = new RegExp(`(?:\\s*"((?:[^"]|"")*)"\\s*(?=${end}|$)|(${plain}))(${end}|$)`, 'g');
   }
-  return words;
+
+  wordsOf(line: string): string[] {
+    const words: string[] = [];
+    for (const [, quoted, plain, end] of line.matchAll(this.#column)) {
+      words.push((quoted?.replaceAll('""', '"') ?? plain).trim());
+      if (!end) break;
+    }
+    return words;
+  }
+
+  /** NaN if it is none. */
+  numberOf(word = ''): number {
+    return word ? decimal(this.#hasDecimalCommas ? word.replace(',', '.') : word) : NaN;
+  }
 }
 
 /** Where x, y and z are among names; undefined if they are not. */
@@ -72,18 +90,11 @@ function columnsOf(names: readonly string[]): number[] | undefined {
   return columns.every((column) => column >= 0) ? columns : undefined;
 }
 
-function refuseNames(names: readonly string[], line: number): never {
-  const read = show(names.join(' ').slice(0, 40));
-  throw new Error(`line ${line} is neither three numbers nor names with x, y and z: ${read}`);
-}
-
-function numberOf(word: string | undefined, line: number, axis: string): number {
-  const value = word ? decimalIn(word) : NaN;
-  if (Number.isFinite(value)) return value;
+function refuseNumber(word: string | undefined, line: number, axis: string): never {
   throw new Error(`line ${line}: ${axis} is ${word ? `'${word}', not a number` : 'missing'}`);
 }
 
-/** A number with a decimal point, or with a decimal comma, as spreadsheets write it in many languages. */
-function decimalIn(word: string): number {
-  return decimal(word.replace(',', '.'));
+function refuseNames(names: readonly string[], line: number): never {
+  const read = show(names.join(' ').slice(0, 40));
+  throw new Error(`line ${line} is neither three numbers nor names with x, y and z: ${read}`);
 }
