@@ -24,7 +24,8 @@ struct PointLists {
 
   int size() const { return static_cast<int>(offset.size()) - 1; }
   std::span<const int> operator[](int i) const {
-    return {points.data() + offset[i], points.data() + offset[i + 1]};
+    const auto first = offset.begin() + i;
+    return {points.data() + first[0], points.data() + first[1]};
   }
   void add(std::span<const int> list) {
     points.insert(points.end(), list.begin(), list.end());

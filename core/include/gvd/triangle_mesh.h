@@ -151,11 +151,11 @@ class TriangleMesh {
   static int faceOf(int h) { return h / 3; }
   static int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
   static int previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
-  int tail(int h) const { return faces_[faceOf(h)].vertices[h % 3]; }
-  int tip(int h) const { return faces_[faceOf(h)].vertices[cornerAfter(h % 3)]; }
-  int twin(int h) const { return faces_[faceOf(h)].twins[h % 3]; }
+  int tail(int h) const { return face(faceOf(h)).vertices[index(h % 3)]; }
+  int tip(int h) const { return face(faceOf(h)).vertices[index(cornerAfter(h % 3))]; }
+  int twin(int h) const { return face(faceOf(h)).twins[index(h % 3)]; }
   /// Positive, and the same bits for both halfedges of an edge.
-  double length(int h) const { return faces_[faceOf(h)].lengths[h % 3]; }
+  double length(int h) const { return face(faceOf(h)).lengths[index(h % 3)]; }
 
   /// The data of a face, in two cache lines: what walks along edges need is in the first. Side i is
   /// halfedge 3f+i, from corner i to the next.
@@ -168,7 +168,7 @@ class TriangleMesh {
     std::array<double, 3> sines;    ///< positive, to full relative precision
     std::array<double, 3> angles;   ///< in (0, π)
   };
-  const Face& face(int f) const { return faces_[f]; }
+  const Face& face(int f) const { return faces_[index(f)]; }
 
   /// For each boundary loop, the halfedge that leaves its lowest vertex; `outgoing(tip(h))` is the
   /// next halfedge of the loop.
@@ -178,10 +178,11 @@ class TriangleMesh {
   /// The halfedges that leave v, counterclockwise: one per face around it. On a boundary vertex the
   /// first is the one without twin.
   std::span<const int> fan(int v) const {
-    return {fanHalfedges_.data() + fanBegin_[v], fanHalfedges_.data() + fanBegin_[v + 1]};
+    return {fanHalfedges_.data() + fanBegin_[index(v)],
+            fanHalfedges_.data() + fanBegin_[index(v + 1)]};
   }
   /// The first halfedge of the fan.
-  int outgoing(int v) const { return fanHalfedges_[fanBegin_[v]]; }
+  int outgoing(int v) const { return fan(v).front(); }
   /// The next outgoing halfedge counterclockwise, -1 past the last face of a boundary vertex.
   int rotate(int h) const { return twin(previous(h)); }
 
@@ -189,15 +190,10 @@ class TriangleMesh {
   /// per edge: where one was cut, both of its copies may end at the same two vertices.
   template <class Visit>
   void visitEdges(int v, Visit visit) const {
-    const Face* last = nullptr;
-    int side = 0;  // of the last face, the one that comes to v
-    for (const int h : fan(v)) {
-      last = &face(faceOf(h));
-      const int i = h % 3;
-      side = cornerBefore(i);
-      visit(last->vertices[cornerAfter(i)], last->lengths[i]);
-    }
-    if (last->twins[side] < 0) visit(last->vertices[side], last->lengths[side]);
+    for (const int h : fan(v)) visit(tip(h), length(h));
+    if (!onBoundary(v)) return;
+    const int last = previous(fan(v).back());
+    visit(tail(last), length(last));
   }
 
   /// Calls `visit` with every vertex that shares an edge with v, once per edge.
@@ -213,21 +209,19 @@ class TriangleMesh {
   }
 
   /// In the frame of the input's positions.
-  Eigen::Vector3d position(int v) const {
-    return Eigen::Vector3d::Map(&positions_[3 * static_cast<std::size_t>(v)]);
-  }
+  Eigen::Vector3d position(int v) const { return Eigen::Vector3d::Map(&positions_[3 * index(v)]); }
   /// The point on the flat face between the positions of its corners.
   Eigen::Vector3d position(const SurfacePoint& p) const;
   /// The interior angle at corner h % 3 of face h / 3, in (0, π).
-  double cornerAngle(int h) const { return faces_[faceOf(h)].angles[h % 3]; }
+  double cornerAngle(int h) const { return face(faceOf(h)).angles[index(h % 3)]; }
   /// The sum of the corner angles at v: > 2π at an inner saddle vertex.
-  double angleSum(int v) const { return angleSum_[v]; }
+  double angleSum(int v) const { return angleSum_[index(v)]; }
   /// Positive, of the intrinsic triangle.
-  double faceArea(int f) const { return faces_[f].area; }
+  double faceArea(int f) const { return face(f).area; }
   /// The sum of all `faceArea`.
   double area() const { return area_; }
   /// The length of the longest edge at v.
-  double longestEdge(int v) const { return longestEdge_[v]; }
+  double longestEdge(int v) const { return longestEdge_[index(v)]; }
   /// The length of the longest edge of all.
   double longestEdge() const { return longestOfAll_; }
   /// The faces, ascending, whose shortest side is below 1e-5 of the longest: few or none.
@@ -239,20 +233,21 @@ class TriangleMesh {
   /// sides of faces together, so that no distance needs more than 2^30 buckets.
   double shortEdgeLength() const { return shortEdgeLength_; }
   /// The component of a face, numbered from 0 in order of the first face.
-  int component(int f) const { return component_[f]; }
+  int component(int f) const { return component_[index(f)]; }
   /// The length of the bounding box's diagonal, of positions.
   double boundingDiagonal() const { return boundingDiagonal_; }
 
   /// The input triangle a face was made from, or along whose side it joins a T-junction; and
   /// whether it was turned over (corners 1 and 2 swapped).
   int inputFace(int f) const {
-    return isJoining(f) ? joining_[inputFace_[f] - inputFaceCount_].triangle : inputFace_[f];
+    const int input = inputFace_[index(f)];
+    return isJoining(f) ? joining_[index(input - inputFaceCount_)].triangle : input;
   }
-  bool isFlipped(int f) const { return flipped_[f]; }
+  bool isFlipped(int f) const { return flipped_[index(f)]; }
   /// Whether a face joins a T-junction and is no triangle of the input.
-  bool isJoining(int f) const { return inputFace_[f] >= inputFaceCount_; }
+  bool isJoining(int f) const { return inputFace_[index(f)] >= inputFaceCount_; }
   /// The first input vertex at the place of v.
-  int inputVertex(int v) const { return inputVertex_[v]; }
+  int inputVertex(int v) const { return inputVertex_[index(v)]; }
   int inputFaceCount() const { return inputFaceCount_; }
   int inputVertexCount() const { return static_cast<int>(vertexOfInput_.size()); }
 
@@ -276,7 +271,7 @@ class TriangleMesh {
   SurfacePoint fromInputVertex(int inputVertex) const;
   /// The vertex at that place, -1 if the input vertex is isolated. The input vertex exists.
   int vertexOfInput(int inputVertex) const {
-    const int h = vertexOfInput_[inputVertex];
+    const int h = vertexOfInput_[index(inputVertex)];
     return h < 0 ? -1 : tail(h);
   }
 
@@ -287,6 +282,8 @@ class TriangleMesh {
   friend class InputMap;
   friend class MeshBuilding;
   TriangleMesh() = default;
+  /// An index in the type of the containers of the standard library.
+  static constexpr std::size_t index(int i) { return static_cast<std::size_t>(i); }
   std::array<int, 3> halfedgesOfInput(int triangle) const;
 
   /// Where a face that joins a T-junction is in the input: the columns are the barycentric
