@@ -537,6 +537,7 @@ TEST(PolygonTopology, KnowsWhatIsNoManifold) {
   EXPECT_FALSE(topology(3, {{0, 1, 0, 2}}).isManifold) << "a corner twice";
   EXPECT_EQ(topology(6, {{0, 1, 2}, {3, 4, 5}}).components, 2);
   EXPECT_EQ(topology(9, {{0, 1, 2}}).vertices, 3);
+  EXPECT_EQ(topology(3, {{0, 1, 2}, {}}).eulerCharacteristic, 1) << "a face without corners";
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ PolygonTriangles triangulate(const PolygonMesh& mesh);
 std::unique_ptr<SlicedWork<PolygonTriangles>> startTriangulation(const PolygonMesh& mesh);
 
 /// The topology of the surface that the faces of a polygon mesh make, joined at the vertices they
-/// share. Vertices without a face do not count.
+/// share. Vertices without a face and faces without corners do not count.
 struct PolygonTopology {
   /// Whether the faces are a surface, oriented: no corner occurs twice in a face, no side twice in
   /// one direction, and the faces around each vertex form one fan. If not, the numbers of boundary

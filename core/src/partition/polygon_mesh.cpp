@@ -100,7 +100,6 @@ class TopologyFinding final : public SequentialWork<PolygonTopology> {
         twin_(next_.size(), -1),
         isWalked_(next_.size()) {
     out_.isManifold = true;
-    out_.faces = mesh.faces.size();
   }
 
   bool advance(long budget) override {
@@ -125,6 +124,7 @@ class TopologyFinding final : public SequentialWork<PolygonTopology> {
   void addFace(int f) {
     requireVertices(mesh_, f);
     const int first = mesh_.faces.offset[f], end = mesh_.faces.offset[f + 1];
+    if (first < end) ++out_.faces;
     for (int h = first; h < end; ++h) {
       next_[h] = h + 1 < end ? h + 1 : first;
       previous_[next_[h]] = h;
