@@ -44,6 +44,25 @@ TEST(VertexCurvatures, OfACylinderAreHalfItsInverseRadius) {
   }
 }
 
+/// Two triangles on both sides of an edge, one of them cut in two at a vertex within the edge.
+/// The mean curvature there was 1.5: the face that fills the gap had no normal.
+TEST(VertexCurvatures, AreNoneInThePlaneAtAVertexWithinAnEdge) {
+  for (const double height : {0.0, 1e-160, 1e-12, 1e-9}) {
+    shapes::Shape shape;
+    for (const Eigen::Vector3d& p :
+         {Eigen::Vector3d(-1, 0, 0), Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 1, 0),
+          Eigen::Vector3d(0, -1, 0), Eigen::Vector3d(0.25, 0, height)})
+      shape.addVertex(p);
+    shape.addTriangle(0, 3, 1);
+    shape.addTriangle(0, 4, 2);
+    shape.addTriangle(4, 1, 2);
+    const auto joined = vertexCurvatures(shape.mesh({.weld = 1e-8}));
+    EXPECT_NEAR(joined.mean[4], 0, 1e-8) << height;
+    shape.addTriangle(0, 1, 4);
+    EXPECT_NEAR(vertexCurvatures(shape.mesh()).mean[4], 0, 1e-8) << height;
+  }
+}
+
 TEST(VertexCurvatures, OfClosedSurfacesSumToTwoPiTimesTheEulerCharacteristic) {
   for (int genus = 0; genus < 4; ++genus) {
     const auto mesh = shapes::bumpySurface(genus, 2, 0.3, genus).mesh();

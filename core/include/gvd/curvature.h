@@ -18,7 +18,7 @@ struct VertexCurvatures {
   /// Gaussian: the angle defect 2π - Σ angles over the area, in 1 / length².
   std::vector<double> gaussian;
   /// Mean: half the length of the gradient of area (the cotangent formula) over the area, in
-  /// 1 / length. Without sign.
+  /// 1 / length. Without sign. A flat face has the normal of the face across its longest side.
   std::vector<double> mean;
 };
 

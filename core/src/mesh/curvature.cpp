@@ -15,6 +15,7 @@
 #include "base/rejection.h"
 #include "base/sliced_loop.h"
 #include "gvd/surface_point.h"
+#include "mesh/nearest_on_triangle.h"
 
 namespace gvd {
 namespace {
@@ -24,6 +25,10 @@ using Eigen::Vector3d;
 /// The angle defect that rounding may leave at a vertex of a flat mesh: a few times 2^-51, with a
 /// margin of ten. V vertices of area A/V with a defect δ have the mean squared curvature 2 V δ / A.
 constexpr double kDefectRounding = 0x1p-46;
+
+/// The height of a flat face, as a share of its longest side, is less than this: coordinates of
+/// single precision are rounded by as much where a side is a hundredth of the mesh.
+constexpr double kFlat = 1e-5;
 
 /// The curvatures at all vertices, with the areas of the vertices.
 class CurvatureMeasuring final : public SequentialWork<VertexCurvatures> {
@@ -51,14 +56,35 @@ class CurvatureMeasuring final : public SequentialWork<VertexCurvatures> {
   /// moves: half the opposite side, turned by 90° towards the corner. Unlike the cotangent formula,
   /// this is finite at any angle.
   void addFace(int f) {
-    std::array<Vector3d, 3> p;
-    for (int i = 0; i < 3; ++i) p[i] = mesh_.position(mesh_.tail(3 * f + i));
-    const Vector3d normal = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
+    const SpaceTriangle p = cornersOf(f);
+    const Vector3d normal = normalOf(f);
     for (int i = 0; i < 3; ++i) {
       const int v = mesh_.tail(3 * f + i);
       areas_[v] += mesh_.faceArea(f) / 3;
       areaGradients_[v] += normal.cross(p[cornerBefore(i)] - p[cornerAfter(i)]) / 2;
     }
+  }
+
+  /// The unit normal of a face. A flat face has that of the face across its longest side: its own
+  /// is rounding, and at a vertex within that side the surface would seem to end. Across flat faces
+  /// that fill one side, halving it again and again, the way is shorter than `kMostFlat`.
+  Vector3d normalOf(int f) const {
+    constexpr int kMostFlat = 32;
+    for (int flat = 0;; ++flat) {
+      const SpaceTriangle p = cornersOf(f);
+      const Vector3d normal = (p[1] - p[0]).cross(p[2] - p[0]);
+      const int side = longestSide(p), twin = mesh_.twin(3 * f + side);
+      const double least = kFlat * (p[cornerAfter(side)] - p[side]).squaredNorm();
+      const bool isFlat = mesh_.isJoining(f) || normal.norm() < least;
+      if (!isFlat || twin < 0 || flat == kMostFlat) return normal.normalized();
+      f = TriangleMesh::faceOf(twin);
+    }
+  }
+
+  SpaceTriangle cornersOf(int f) const {
+    SpaceTriangle p;
+    for (int i = 0; i < 3; ++i) p[i] = mesh_.position(mesh_.tail(3 * f + i));
+    return p;
   }
 
   void measure(int v) {
