@@ -78,8 +78,7 @@ class SameDistances : public DistanceField {
 ///  - at detail 0, the cells and region triangles form a closed complex: each of their sides is
 ///    used once in each direction, except along the mesh boundary, and V - E + F is the mesh's;
 ///  - every point is on the surface, on a segment, a loop or a cell, and if segments end there, in
-///  a
-///    face of one of them;
+///    a face of one of them;
 ///  - every arc is a chain of its segments, and every Voronoi point has three or more labels.
 ::testing::AssertionResult isConsistent(const TriangleMesh& mesh, const Diagram& diagram,
                                         int detail = 0);
