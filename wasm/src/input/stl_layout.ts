@@ -3,6 +3,8 @@
 // How long a binary STL is: a header, a count, and for each triangle a normal and three corners of three
 // floats each, and two bytes without meaning.
 
+import { toSizeLimits } from './limits.js';
+
 const headerBytes = 84;
 const triangleBytes = 50;
 
@@ -11,10 +13,13 @@ export function isBinaryStl(bytes: Uint8Array): boolean {
   return bytes.length > headerBytes && bytes.length === stlBytes(stlTriangleCount(bytes));
 }
 
-/** Whether it counts triangles as an STL may; most other files have text or a larger number there. */
+/**
+ * Whether it counts no more triangles than are read by default. Most other files have text or a larger
+ * number there.
+ */
 export function mayBeBinaryStl(bytes: Uint8Array): boolean {
   const count = stlTriangleCount(bytes);
-  return count > 0 && count <= 2 ** 24;
+  return count > 0 && count <= toSizeLimits({}).maxTriangles;
 }
 
 /** 0 if there is not even a header. */

@@ -56,7 +56,10 @@ export class FatLines {
   #rim: LineSegments2 | undefined;
   readonly #widestRim = { value: 1e9 };
 
-  /** With normals, the segments are records of both ends and the normal of the surface there. */
+  /**
+   * Segments are given by x, y, z of both ends; with normals, also by that of the surface there, in
+   * the same array.
+   */
   constructor({ width, hasNormals = false }: { width: number; hasNormals?: boolean }) {
     this.#size = hasNormals ? 9 : 6;
     this.#segments = new RecordBuffer((n) => [
@@ -112,9 +115,9 @@ export class FatLines {
     return this.#segments.count;
   }
 
-  /** Sets x, y, z of both ends of every segment. */
-  set(ends: Float32Array): void {
-    this.#segments.set(new Int32Array(ends.length / 3), [ends]);
+  /** Sets the segments. */
+  set(segments: Float32Array): void {
+    this.#segments.set(new Int32Array((2 * segments.length) / this.#size), [segments]);
     this.#adopt();
   }
 
