@@ -46,10 +46,17 @@ double BruteForce::distance(int label, const SurfacePoint& p) const {
   return alone_[label]->distance(0, p);
 }
 
+/// The points of a label are asked for at once, since its site spreads again whenever it is asked.
 std::unique_ptr<SlicedWork<std::vector<double>>> BruteForce::startDistancesAt(
     std::vector<LabelledPoint> points) const {
+  std::vector<std::vector<LabelledPoint>> ofLabel(alone_.size());
+  for (const auto& [label, point] : points) ofLabel[label].push_back({0, point});
+  std::vector<std::vector<double>> found;
+  for (size_t label = 0; label < alone_.size(); ++label)
+    found.push_back(alone_[label]->distancesAt(std::move(ofLabel[label])));
   std::vector<double> distances;
-  for (const auto& [label, point] : points) distances.push_back(distance(label, point));
+  std::vector<size_t> next(alone_.size());
+  for (const auto& [label, point] : points) distances.push_back(found[label][next[label]++]);
   return std::make_unique<Done>(std::move(distances));
 }
 

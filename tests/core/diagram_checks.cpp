@@ -311,16 +311,25 @@ AssertionResult agreesWithField(const TriangleMesh& mesh, const Traced& traced,
 }
 
 AssertionResult spreadsFarEnough(const TriangleMesh& mesh, const Traced& traced,
-                                 const Traced& everywhere) {
+                                 const DistanceField& everywhere) {
   const double tolerance = 1e-9 * mesh.boundingDiagonal();
-  for (const Part& part : reachedParts(mesh, traced.diagram)) {
-    if (part.share() <= kSliver) continue;
-    const SurfacePoint p{part.face, part.middle()};
-    const auto ours = traced.field->nearest(p), expected = everywhere.field->nearest(p);
-    if (!(std::abs(ours.distance - expected.distance) <= tolerance))
-      return AssertionFailure() << "in face " << part.face << ", " << ours.label << " is nearest, "
-                                << ours.distance << " away; by brute force " << expected.label
-                                << ", " << expected.distance << " away";
+  const int siteCount = traced.diagram.siteCount;
+  std::vector<SurfacePoint> middles;
+  for (const Part& part : reachedParts(mesh, traced.diagram))
+    if (part.share() > kSliver) middles.push_back({part.face, part.middle()});
+  std::vector<LabelledPoint> ofAll;
+  for (const SurfacePoint& p : middles)
+    for (int label = 0; label < siteCount; ++label) ofAll.push_back({label, p});
+  const std::vector<double> distances = everywhere.distancesAt(std::move(ofAll));
+  auto ofFirst = distances.begin();
+  for (const SurfacePoint& p : middles) {
+    const LabelledDistance ours = traced.field->nearest(p);
+    const auto expected = std::min_element(ofFirst, ofFirst + siteCount);
+    if (!(std::abs(ours.distance - *expected) <= tolerance))
+      return AssertionFailure() << "in face " << p.face << ", " << ours.label << " is nearest, "
+                                << ours.distance << " away; by brute force " << expected - ofFirst
+                                << ", " << *expected << " away";
+    ofFirst += siteCount;
   }
   return AssertionSuccess();
 }

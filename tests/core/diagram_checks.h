@@ -90,11 +90,11 @@ class SameDistances : public DistanceField {
                                            std::span<const SurfacePoint> sites, Metric metric);
 
 /// Success if brute force (`everywhere`) finds no more than `traced`: in the middle of every cell
-/// and region triangle, the nearest site is equally far, and known at all three corners. Only for
-/// the exact metric: DGPC stops a label where another one is nearer at both ends of an edge. If
-/// that one comes around an obstacle, the stopped label may lose an area that it would own.
+/// and region triangle, the nearest site is equally far. Only for the exact metric: DGPC stops a
+/// label where another one is nearer at both ends of an edge. If that one comes around an obstacle,
+/// the stopped label may lose an area that it would own.
 ::testing::AssertionResult spreadsFarEnough(const TriangleMesh& mesh, const Traced& traced,
-                                            const Traced& everywhere);
+                                            const DistanceField& everywhere);
 
 /// Success if two diagrams of one mesh are the same, where label l of a is label `labelInB[l]` of
 /// b: they have the same region triangles, numbers of loops, segments and Voronoi points with their

@@ -22,6 +22,7 @@
 #include <string>
 #include <string_view>
 
+#include "brute_force.h"
 #include "diagram_checks.h"
 #include "gvd/dynamic_diagram.h"
 #include "gvd/partition.h"
@@ -72,7 +73,7 @@ std::string complaint(const RandomCase& c, Metric metric) {
     if (const std::string result = complaintAfterChanges(mesh, sites, metric); !result.empty())
       return result;
     if (metric == Metric::kDgpc) return {};
-    const auto everywhere = checks::traceByBruteForce(mesh, sites, metric);
+    const checks::BruteForce everywhere(mesh, sites, metric);
     if (const auto result = checks::spreadsFarEnough(mesh, traced, everywhere); !result)
       return result.message();
   } catch (const std::exception& error) {
