@@ -316,6 +316,16 @@ TEST_P(AnyMesh, SlicesMakeNoDifference) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, AnyMesh, ::testing::Range(0, 24));
 
+/// As for `SlicedWork::step`. Sites never moved on.
+TEST(Cvt, TakesABudgetOfZeroForOne) {
+  const auto mesh = shapes::octahedron().mesh();
+  CvtOptions options;
+  options.iterations = 1;
+  Cvt cvt(mesh, sampleUniform(mesh, 2, 1), options);
+  for (int i = 0; i < 10000 && !cvt.isDone(); ++i) cvt.step(0);
+  EXPECT_TRUE(cvt.isDone());
+}
+
 TEST(Cvt, IsFasterWithLbfgs) {
   const auto mesh = shapes::torus(40, 20).mesh();
   const auto sites = sampleUniform(mesh, 40, 1);

@@ -345,7 +345,7 @@ Cvt::~Cvt() = default;
 Cvt::Cvt(Cvt&&) noexcept = default;
 Cvt& Cvt::operator=(Cvt&&) noexcept = default;
 
-bool Cvt::step(long budget) { return solver_->step(budget); }
+bool Cvt::step(long budget) { return solver_->step(std::max(budget, 1L)); }
 bool Cvt::isDone() const { return solver_->isDone(); }
 const CvtIteration& Cvt::iteration() const { return solver_->iteration(); }
 std::span<const SurfacePoint> Cvt::sites() const { return solver_->sites(); }
