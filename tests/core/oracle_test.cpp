@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "gvd/geodesic.h"
@@ -86,16 +87,14 @@ class RandomMeshes : public ::testing::TestWithParam<int> {
         sites_(randomPoints(mesh_, 1 + GetParam() * 7 % 12, GetParam() + 1000)),
         points_(randomPoints(mesh_, 150, GetParam() + 2000)) {
     const Oracle oracle(mesh_);
-    std::vector<SurfacePoint> vertices;
-    for (int v = 0; v < mesh_.vertexCount(); ++v) vertices.push_back(pointAtVertex(mesh_, v));
-    for (const SurfacePoint& site : sites_) {
-      expected_.push_back(oracle.distances(site, points_));
-      expectedAtVertices_.push_back(oracle.distances(site, vertices));
-    }
+    std::vector<SurfacePoint> places = points_;
+    for (int v = 0; v < mesh_.vertexCount(); ++v) places.push_back(pointAtVertex(mesh_, v));
+    for (const SurfacePoint& site : sites_) expected_.push_back(oracle.distances(site, places));
     field_ = finished(propagate(mesh_, sites_, Metric::kExact));
   }
 
   double expected(int label, int point) const { return expected_[label][point]; }
+  double expectedAtVertex(int label, int v) const { return expected_[label][points_.size() + v]; }
   double least(int point) const {
     double result = kInfinity;
     for (const auto& distances : expected_) result = std::min(result, distances[point]);
@@ -104,50 +103,34 @@ class RandomMeshes : public ::testing::TestWithParam<int> {
 
   TriangleMesh mesh_;
   std::vector<SurfacePoint> sites_, points_;
-  std::vector<std::vector<double>> expected_, expectedAtVertices_;  ///< by site, by point
+  std::vector<std::vector<double>> expected_;  ///< by site, at all points, then at all vertices
   std::unique_ptr<DistanceField> field_;
 };
 
-TEST_P(RandomMeshes, HaveTheNearestSiteOfTheOracle) {
+TEST_P(RandomMeshes, HaveTheOraclesDistancesAndPathsAsLong) {
   for (int i = 0; i < static_cast<int>(points_.size()); ++i) {
+    SCOPED_TRACE("point " + std::to_string(i));
     const LabelledDistance nearest = field_->nearest(points_[i]);
     const double distance = least(i);
     if (distance == kInfinity) {
-      EXPECT_EQ(nearest.label, -1) << "point " << i;
+      EXPECT_EQ(nearest.label, -1);
       continue;
     }
-    ASSERT_GE(nearest.label, 0) << "point " << i;
-    EXPECT_NEAR(nearest.distance, distance, kTolerance * distance) << "point " << i;
+    ASSERT_GE(nearest.label, 0);
+    EXPECT_NEAR(nearest.distance, distance, kTolerance * distance);
     // Another label only where the two tie.
-    EXPECT_LE(expected(nearest.label, i), distance * (1 + kTolerance)) << "point " << i;
+    EXPECT_LE(expected(nearest.label, i), distance * (1 + kTolerance));
+    const auto path = field_->path(nearest.label, points_[i]);
+    EXPECT_NEAR(lengthOf(mesh_, path), distance, kTolerance * distance);
   }
-}
-
-TEST_P(RandomMeshes, KnowTheOraclesDistancesAtVertices) {
-  for (int v = 0; v < mesh_.vertexCount(); ++v) {
-    for (const LabelledDistance& known : field_->at(v)) {
-      const double distance = expectedAtVertices_[known.label][v];
-      EXPECT_NEAR(known.distance, distance, kTolerance * distance)
-          << "site " << known.label << ", vertex " << v;
+  for (int v = 0; v < mesh_.vertexCount(); ++v)
+    for (const auto& [label, known] : field_->at(v)) {
+      SCOPED_TRACE("site " + std::to_string(label) + ", vertex " + std::to_string(v));
+      const double distance = expectedAtVertex(label, v);
+      EXPECT_NEAR(known, distance, kTolerance * distance);
+      const auto path = field_->path(label, pointAtVertex(mesh_, v));
+      EXPECT_NEAR(lengthOf(mesh_, path), distance, kTolerance * distance);
     }
-  }
-}
-
-TEST_P(RandomMeshes, HavePathsAsLongAsTheOraclesDistances) {
-  for (int i = 0; i < static_cast<int>(points_.size()); ++i) {
-    const double distance = least(i);
-    if (distance == kInfinity) continue;
-    const auto path = field_->path(field_->nearest(points_[i]).label, points_[i]);
-    EXPECT_NEAR(lengthOf(mesh_, path), distance, kTolerance * distance) << "point " << i;
-  }
-  for (int v = 0; v < mesh_.vertexCount(); ++v) {
-    for (const LabelledDistance& known : field_->at(v)) {
-      const double distance = expectedAtVertices_[known.label][v];
-      const auto path = field_->path(known.label, pointAtVertex(mesh_, v));
-      EXPECT_NEAR(lengthOf(mesh_, path), distance, kTolerance * distance)
-          << "site " << known.label << ", vertex " << v;
-    }
-  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomMeshes, ::testing::Range(0, 200));
