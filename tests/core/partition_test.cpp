@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "diagram_checks.h"
 #include "gvd/sampling.h"
@@ -70,6 +71,24 @@ TEST(Partition, IsTheSurfaceItWasWithDetail) {
       EXPECT_TRUE(isSound(mesh, d, partition(mesh, d))) << detail;
     }
   }
+}
+
+/// A surface that touches itself along an edge, around both ends of which it goes on: so there are
+/// two edges with the same ends.
+TEST(Partition, KeepsTwoEdgesWithTheSameEndsApart) {
+  const shapes::Shape shape{{1.5, 0.5, 1.5, 1,   0, 2, 1,   0, 1,   1.5, 0.5, 0.5, 1, 0,  0, 0.5, 1,
+                             0,   0.5, 1,   1,   1, 1, 2,   1, 0.5, 1.5, 1.5, 1,   1, 2,  1, 0,   1,
+                             1,   1.5, 1.5, 0.5, 0, 1, 1.5, 0, 0,   2,   0,   0.5, 1, 0.5},
+                            {0,  1, 2,  3,  2, 4,  0,  2,  3,  4,  2,  5,  2, 1,  6,  2,  6,  5,
+                             7,  8, 9,  8,  2, 3,  9,  3,  10, 8,  3,  9,  7, 9,  11, 12, 4,  5,
+                             13, 5, 14, 12, 5, 13, 10, 13, 3,  13, 14, 15, 3, 15, 2,  13, 15, 3}};
+  const TriangleMesh mesh = shape.mesh();
+  ASSERT_EQ(mesh.repairs().nonManifoldEdges, 1);
+  ASSERT_EQ(mesh.topology().components, 1);
+  const std::vector<SurfacePoint> sites = {
+      {11, {0.72, 0.28, 0}}, {1, {0.19, 0.45, 0.36}}, {10, {0, 0, 1}}};
+  const Diagram d = trace(mesh, sites).diagram;
+  EXPECT_TRUE(isSound(mesh, d, partition(mesh, d)));
 }
 
 TEST(Partition, MeasuresTheSidesOfACube) {

@@ -17,6 +17,7 @@
 #include "mesh/face_layout.h"
 #include "mesh/face_metric.h"
 #include "mesh/incidence.h"
+#include "mesh/slits.h"
 #include "mesh/twin_matching.h"
 #include "partition/convex_triangulation.h"
 #include "partition/region_patches.h"
@@ -250,8 +251,7 @@ class Partitioner final : public SequentialWork<Partition> {
   }
 
   /// Between faces that are not cut, twins are those of the mesh. Other sides are matched by their
-  /// ends. Where the mesh was cut, sides of different faces may have the same ends without being
-  /// neighbours.
+  /// ends and, if double edges have these ends, by the edge.
   void matchTwins(int t) {
     const int face = out_.triangleFace[t];
     for (int i = 0; i < 3; ++i) {
@@ -267,22 +267,22 @@ class Partitioner final : public SequentialWork<Partition> {
       twins_.add(
           h, [&](int of) { return tailOf(out_.triangles, of); },
           [&](int other) {
-            return face == out_.triangleFace[other / 3] || !isOnMeshBoundary(h) ||
-                   !isOnMeshBoundary(other);
+            if (!mayHaveDoubleEdges(mesh_) || face == out_.triangleFace[other / 3]) return true;
+            const int side = meshHalfedge(h), beyond = meshHalfedge(other);
+            return side < 0 || beyond < 0 || mesh_.twin(side) == beyond;
           });
     }
   }
 
-  bool isOnMeshBoundary(int h) const {
+  /// The halfedge of the mesh on which both ends of a halfedge lie, -1 if there is none.
+  int meshHalfedge(int h) const {
     const int face = out_.triangleFace[h / 3];
-    for (int i = 0; i < 3; ++i) {
-      if (mesh_.face(face).twins[i] >= 0) continue;
-      bool isOnSide = true;
-      for (const int end : {tailOf(out_.triangles, h), tipOf(out_.triangles, h)})
-        isOnSide &= baryInFace(mesh_, out_.points[end], face)[cornerBefore(i)] == 0;
-      if (isOnSide) return true;
-    }
-    return false;
+    const auto place = [&](int vertex) { return baryInFace(mesh_, out_.points[vertex], face); };
+    const Eigen::Vector3d tail = place(tailOf(out_.triangles, h)),
+                          tip = place(tipOf(out_.triangles, h));
+    for (int i = 0; i < 3; ++i)
+      if (tail[cornerBefore(i)] == 0 && tip[cornerBefore(i)] == 0) return 3 * face + i;
+    return -1;
   }
 
   const TriangleMesh& mesh_;
