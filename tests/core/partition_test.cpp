@@ -87,8 +87,10 @@ TEST(Partition, KeepsTwoEdgesWithTheSameEndsApart) {
   ASSERT_EQ(mesh.topology().components, 1);
   const std::vector<SurfacePoint> sites = {
       {11, {0.72, 0.28, 0}}, {1, {0.19, 0.45, 0.36}}, {10, {0, 0, 1}}};
-  const Diagram d = trace(mesh, sites).diagram;
-  EXPECT_TRUE(isSound(mesh, d, partition(mesh, d)));
+  for (const int detail : {0, 1, 2}) {
+    const Diagram d = trace(mesh, sites, Metric::kExact, detail).diagram;
+    EXPECT_TRUE(isSound(mesh, d, partition(mesh, d))) << detail;
+  }
 }
 
 TEST(Partition, MeasuresTheSidesOfACube) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "gvd/diagram.h"
+#include "mesh/slits.h"
 
 namespace gvd {
 namespace {
@@ -90,19 +91,22 @@ double ComplexBuilding::expectedParts(int face) const {
   return std::min(4 * longest / longestSide_, kMost);
 }
 
-/// A side on the mesh boundary gets no twin, even if the mesh was cut there and another side has
-/// the same two nodes.
+/// Of double edges of the mesh, only sides of the same one are twins; a side on the mesh boundary
+/// gets none.
 void ComplexBuilding::matchTwin(int h) {
   const Elements& elements = complex_.elements_;
-  if (const int side = elements.meshHalfedge(h); side >= 0) {
-    const int twin = mesh_.twin(side);
+  const int side = elements.meshHalfedge(h), twin = side < 0 ? -1 : mesh_.twin(side);
+  if (side >= 0) {
     const int beyond = twin < 0 ? -1 : complex_.faceIndex(TriangleMesh::faceOf(twin));
     if (beyond < 0) return;
     if (complex_.isFace(h / 3) && complex_.isFace(beyond))
       return complex_.twins_.set(h, 3 * beyond + twin % 3);
   }
   complex_.twins_.add(
-      h, [&](int of) { return elements.tail[of]; }, [](int /*other*/) { return true; });
+      h, [&](int of) { return elements.tail[of]; },
+      [&](int other) {
+        return !mayHaveDoubleEdges(mesh_) || elements.meshHalfedge(other) == twin;
+      });
 }
 
 void ComplexBuilding::startPart(std::span<const int> faces) {

@@ -38,8 +38,7 @@ bool ElementSplitting::mustSplit(int element) const {
   const bool isMixed = owner == Diagram::kMixed;
   const auto lengths = isMixed ? elements_.sideLengths(mesh_, element) : std::array<double, 3>();
   for (int i = 0; i < 3; ++i)
-    if (isMixed ? isSideSplit(element, i, lengths[i])
-                : !isUniform(node(element, i), node(element, cornerAfter(i)), owner))
+    if (isMixed ? isSideSplit(element, i, lengths[i]) : !isUniform(sideOf(element, i), owner))
       return true;
   return false;
 }
@@ -47,14 +46,13 @@ bool ElementSplitting::mustSplit(int element) const {
 /// Whether a side is split if its element is. Long ones are, even those with one owner: the parts
 /// of a thin element might never get shorter otherwise.
 bool ElementSplitting::isSideSplit(int element, int side, double length) const {
-  return length > longestSide_ ||
-         nodes_.middleOf(node(element, side), node(element, cornerAfter(side))) >= 0;
+  return length > longestSide_ || nodes_.middleOf(sideOf(element, side)) >= 0;
 }
 
-bool ElementSplitting::isUniform(int a, int b, int owner) const {
-  const int m = nodes_.middleOf(a, b);
-  if (m < 0) return true;
-  return nodes_.owner(m) == owner && isUniform(a, m, owner) && isUniform(m, b, owner);
+bool ElementSplitting::isUniform(const ElementSide& side, int owner) const {
+  const int m = nodes_.middleOf(side);
+  return m < 0 || (nodes_.owner(m) == owner && isUniform({side.from, m}, owner) &&
+                   isUniform({m, side.to}, owner));
 }
 
 bool ElementSplitting::splitBatch(long& budget) {
@@ -81,7 +79,7 @@ void ElementSplitting::addMiddles(int element) {
     const int next = cornerAfter(i);
     middle[i] = isSideSplit(element, i, lengths[i]) ? middleOf(element, i) : -1;
     if (middle[i] < 0) continue;
-    const int meshSide = elements_.meshHalfedge(3 * element + i);
+    const int meshSide = mayHaveDoubleEdges(mesh_) ? elements_.meshHalfedge(3 * element + i) : -1;
     const bool isSlit = meshSide >= 0 && isSideOfSlit(mesh_, meshSide);
     const SurfacePoint p{elements_.face[element], (corners.col(i) + corners.col(next)) / 2};
     for (const auto& [label, isKnown] : near_)
@@ -91,12 +89,10 @@ void ElementSplitting::addMiddles(int element) {
 }
 
 /// The node in the middle of a side, added if there is none yet.
-int ElementSplitting::middleOf(int element, int side) {
-  const int a = node(element, side), b = node(element, cornerAfter(side));
-  const int meshSide = elements_.meshHalfedge(3 * element + side);
-  const bool isShared = meshSide < 0 || mesh_.twin(meshSide) >= 0;
-  const int shared = isShared ? nodes_.middleOf(a, b) : -1;
-  return shared >= 0 ? shared : nodes_.addMiddle(a, b, isShared);
+int ElementSplitting::middleOf(int element, int i) {
+  const ElementSide side = sideOf(element, i);
+  const int middle = nodes_.middleOf(side);
+  return middle >= 0 ? middle : nodes_.addMiddle(side);
 }
 
 /// Splits an element, and notes its nodes and those of larger elements that its sides are part of:
@@ -104,7 +100,7 @@ int ElementSplitting::middleOf(int element, int side) {
 void ElementSplitting::split(int element, const std::array<int, 3>& middle) {
   for (int i = 0; i < 3; ++i) {
     if (middle[i] >= 0) nearSplit_.add(middle[i]);
-    NodeLabels::Side side{node(element, i), node(element, cornerAfter(i))};
+    ElementSide side{node(element, i), node(element, cornerAfter(i))};
     do {
       nearSplit_.add(side.from);
       nearSplit_.add(side.to);

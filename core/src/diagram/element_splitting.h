@@ -42,11 +42,12 @@ class ElementSplitting {
   bool findBatch(SlicedLoop& loop, long& budget);
   bool mustSplit(int element) const;
   bool isSideSplit(int element, int side, double length) const;
-  bool isUniform(int a, int b, int owner) const;
+  bool isUniform(const ElementSide& side, int owner) const;
   void addMiddles(int element);
-  int middleOf(int element, int side);
+  int middleOf(int element, int i);
   void split(int element, const std::array<int, 3>& middle);
   int node(int element, int corner) const { return elements_.nodes(element)[corner]; }
+  ElementSide sideOf(int element, int i) const { return elements_.side(mesh_, 3 * element + i); }
 
   const TriangleMesh& mesh_;
   const TieTolerance& ties_;

@@ -2,14 +2,24 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <deque>
 #include <vector>
 
 #include "gvd/triangle_mesh.h"
+#include "mesh/slits.h"
 
 namespace gvd {
+
+/// A side of an element, by the nodes at its ends.
+struct ElementSide {
+  int from, to;
+  /// Tells double edges of the mesh apart (`mayHaveDoubleEdges`), between whose ends distances may
+  /// differ: the higher of the edge's halfedges. -1 where there is no other side with these ends.
+  int edge = -1;
+};
 
 /// Triangles that are faces of a mesh, or parts of them: their corners are nodes.
 struct Elements {
@@ -29,6 +39,15 @@ struct Elements {
   }
   /// The halfedge of the mesh that a halfedge is part of, -1 if it is inside a face.
   int meshHalfedge(int h) const;
+  /// The side of a halfedge.
+  ElementSide side(const TriangleMesh& mesh, int h) const {
+    ElementSide side{tail[h], tail[TriangleMesh::next(h)]};
+    if (mayHaveDoubleEdges(mesh) && std::max(side.from, side.to) < mesh.vertexCount()) {
+      const int whole = meshHalfedge(h);
+      side.edge = std::max(whole, mesh.twin(whole));
+    }
+    return side;
+  }
   /// The lengths of an element's sides, in the order of its halfedges.
   std::array<double, 3> sideLengths(const TriangleMesh& mesh, int element) const;
   void reserve(std::size_t count);

@@ -68,8 +68,7 @@ class FaceComplex {
   /// where the elements on both sides have the same size.
   std::vector<NodeLabels::InnerNode> innerNodes(int h) const {
     std::vector<NodeLabels::InnerNode> inner;
-    if (!hasFacesOnly() && twins_[h] < 0)
-      nodes_.appendBetween(elements_.tail[h], elements_.tail[TriangleMesh::next(h)], inner);
+    if (!hasFacesOnly() && twins_[h] < 0) nodes_.appendBetween(elements_.side(mesh_, h), inner);
     return inner;
   }
   /// The label that owns all of an element: the owner of all its nodes. `Diagram::kUnreachable` if

@@ -13,8 +13,7 @@ void NodeLabels::clear(std::span<const int> nodes) {
   for (const int node : nodes) nodes_[node] = {};
   nodes_.resize(vertexCount_);
   highestLabel_ = -1;
-  for (const Midpoint& m : midpoints_)
-    for (const int end : m.ends) lists_[end] = {};
+  for (const Midpoint& m : midpoints_) lists_[m.side.from] = lists_[m.side.to] = {};
   midpoints_.clear();
   labelChunks_.clear();
   addedLabels_.clear();
@@ -47,43 +46,40 @@ void NodeLabels::addLabel(int node, LabelledDistance added) {
   insertByLabel(here, added);
 }
 
-int NodeLabels::middleOf(int a, int b) const {
-  const int middle = findListed(a, b);
-  return middle >= 0 ? middle : findListed(b, a);
+int NodeLabels::middleOf(const ElementSide& side) const {
+  const int middle = findListed(side.from, side.to, side.edge);
+  return middle >= 0 ? middle : findListed(side.to, side.from, side.edge);
 }
 
 /// The midpoint of a side if it is listed at `end`, else -1.
-int NodeLabels::findListed(int end, int otherEnd) const {
+int NodeLabels::findListed(int end, int otherEnd, int edge) const {
   if (end >= static_cast<int>(lists_.size())) return -1;
   int middle = lists_[end].first;
   while (middle >= 0) {
-    const auto& ends = midpoint(middle).ends;
-    if (ends[0] == otherEnd || ends[1] == otherEnd) break;
+    const ElementSide& side = midpoint(middle).side;
+    if ((side.from == otherEnd || side.to == otherEnd) && side.edge == edge) break;
     middle = midpoint(middle).next;
   }
   return middle;
 }
 
-int NodeLabels::addMiddle(int a, int b, bool isShared) {
-  const int node = count();
-  if (const auto needed = static_cast<size_t>(std::max(a, b)) + 1; lists_.size() < needed)
-    lists_.resize(needed);
-  midpoints_.push_back({{a, b}, -1, {}});
+int NodeLabels::addMiddle(const ElementSide& side) {
+  const int node = count(), last = std::max(side.from, side.to);
+  if (last >= static_cast<int>(lists_.size())) lists_.resize(last + 1);
+  MidpointList &from = lists_[side.from], &to = lists_[side.to];
+  MidpointList& list = from.size < to.size ? from : to;
+  midpoints_.push_back({side, std::exchange(list.first, node), {}});
+  ++list.size;
   nodes_.emplace_back();
-  if (isShared) {
-    MidpointList& list = lists_[lists_[a].size < lists_[b].size ? a : b];
-    midpoints_.back().next = std::exchange(list.first, node);
-    ++list.size;
-  }
   return node;
 }
 
-bool NodeLabels::enlarge(Side& side) const {
+bool NodeLabels::enlarge(ElementSide& side) const {
   const auto [other, middle] = std::minmax(side.from, side.to);  // the midpoint was added later
   if (middle < vertexCount_) return false;
-  const Midpoint& m = midpoint(middle);
-  if (other != m.ends[0] && other != m.ends[1]) return false;
-  side = {m.ends[0], m.ends[1]};
+  const ElementSide& whole = midpoint(middle).side;
+  if (other != whole.from && other != whole.to) return false;
+  side = whole;
   return true;
 }
 
@@ -100,14 +96,14 @@ void NodeLabels::setLabels(int node, std::span<const LabelledDistance> labels) {
   noteOwner(node);
 }
 
-void NodeLabels::appendBetween(int a, int b, double from, double to,
+void NodeLabels::appendBetween(const ElementSide& side, double from, double to,
                                std::vector<InnerNode>& nodes) const {
-  const int middle = middleOf(a, b);
+  const int middle = middleOf(side);
   if (middle < 0) return;
   const double share = (from + to) / 2;
-  appendBetween(a, middle, from, share, nodes);
+  appendBetween({side.from, middle}, from, share, nodes);
   nodes.push_back({middle, share});
-  appendBetween(middle, b, share, to, nodes);
+  appendBetween({middle, side.to}, share, to, nodes);
 }
 
 }  // namespace gvd

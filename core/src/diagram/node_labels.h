@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "diagram/elements.h"
 #include "gvd/diagram.h"
 #include "gvd/geodesic.h"
 
@@ -52,29 +53,22 @@ class NodeLabels {
   /// Adds a label that is not known at a node. Its distance is kept above the owner's.
   void addLabel(int node, LabelledDistance added);
 
-  /// The node in the middle of the side between two nodes that neighbours share, -1 if it is not
-  /// split.
-  int middleOf(int a, int b) const;
-  /// Adds a node in the middle of a side and returns it; its labels are to be set. `middleOf` finds
-  /// it if it is shared. On the mesh boundary it is not: where the mesh was cut, two sides may have
-  /// the same ends and different distances between them.
-  int addMiddle(int a, int b, bool isShared);
+  /// The node in the middle of a side, -1 if it is not split.
+  int middleOf(const ElementSide& side) const;
+  /// Adds the node in the middle of a side and returns it; its labels are to be set.
+  int addMiddle(const ElementSide& side);
   /// Sets all labels of a midpoint, ascending; finds its owner.
   void setLabels(int node, std::span<const LabelledDistance> labels);
-  /// A side of an element, by the nodes at its ends.
-  struct Side {
-    int from, to;
-  };
   /// Replaces a side by the one that it is half of; false if there is none.
-  bool enlarge(Side& side) const;
+  bool enlarge(ElementSide& side) const;
   /// A node between the ends of a side, and its share of the way.
   struct InnerNode {
     int node;
     double share;
   };
-  /// Appends the nodes between two others on a side that neighbours share, in order.
-  void appendBetween(int a, int b, std::vector<InnerNode>& nodes) const {
-    appendBetween(a, b, 0, 1, nodes);
+  /// Appends the nodes between the ends of a side, in order.
+  void appendBetween(const ElementSide& side, std::vector<InnerNode>& nodes) const {
+    appendBetween(side, 0, 1, nodes);
   }
 
  private:
@@ -86,9 +80,9 @@ class NodeLabels {
   };
   /// A node in the middle of a split side.
   struct Midpoint {
-    std::array<int, 2> ends;                   ///< of the side
-    int next;                                  ///< in the list, a node, -1 for none
-    std::span<const LabelledDistance> labels;  ///< in labelChunks_
+    ElementSide side;
+    int next = -1;                             ///< in the list, a node, -1 for none
+    std::span<const LabelledDistance> labels;  ///< in `labelChunks_`
   };
   /// The midpoints of some of the sides that end at a node. A side is listed at the end with fewer
   /// so far, so that lists are short even where all sides end at one node.
@@ -99,8 +93,9 @@ class NodeLabels {
 
   const Midpoint& midpoint(int node) const { return midpoints_[node - vertexCount_]; }
   void noteOwner(int node);
-  int findListed(int end, int otherEnd) const;
-  void appendBetween(int a, int b, double from, double to, std::vector<InnerNode>& nodes) const;
+  int findListed(int end, int otherEnd, int edge) const;
+  void appendBetween(const ElementSide& side, double from, double to,
+                     std::vector<InnerNode>& nodes) const;
 
   const DistanceField& distances_;
   const int vertexCount_;
