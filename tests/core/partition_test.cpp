@@ -89,6 +89,7 @@ TEST(Partition, KeepsTwoEdgesWithTheSameEndsApart) {
       {11, {0.72, 0.28, 0}}, {1, {0.19, 0.45, 0.36}}, {10, {0, 0, 1}}};
   for (const int detail : {0, 1, 2}) {
     const Diagram d = trace(mesh, sites, Metric::kExact, detail).diagram;
+    EXPECT_TRUE(checks::isConsistent(mesh, d, detail)) << detail;
     EXPECT_TRUE(isSound(mesh, d, partition(mesh, d))) << detail;
   }
 }
