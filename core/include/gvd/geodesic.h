@@ -56,8 +56,8 @@ inline LabelledDistance nearestOf(std::span<const LabelledDistance> sites) {
 ///
 /// With `kDgpc`, the distance at a corner that another site owns may be extended from the vertices
 /// around it instead of being propagated to it. And distances depend on the order in which vertices
-/// are reached, which other components change, too (`shortEdgeLength`): mostly in the last bits,
-/// but where triangles are steep, single ones by tens of percent.
+/// are reached, which follows from the edges of all components (`shortEdgeLength`): mostly in the
+/// last bits, but where triangles are steep, single ones by tens of percent.
 ///
 /// Distances at a vertex tie if they differ by no more than rounding: 2^-41 of their length plus
 /// 2^-46 of the longest edge. All are then listed as the least of them, and the lowest label is the

@@ -117,8 +117,8 @@ class WorstRegions {
   /// Takes a diagram and its distances. With `detail`, a region may have a share in a face at whose
   /// corners its label is not known; such a share counts as undistorted. The mesh and the
   /// distances, which change with the diagram, must outlive this. Throws `Error(kInvalidArgument)`
-  /// if one of them is that of another mesh. Takes O(F), and for the worst region
-  /// the time of `DistanceField::nearest` at points of its outline.
+  /// if the distances or the diagram are those of another mesh. Takes O(F), and for the worst
+  /// region the time of `DistanceField::nearest` at points of its outline.
   WorstRegions(const TriangleMesh& mesh, const DistanceField& distances, const Diagram& diagram,
                WorstRegion worst);
   /// The same in steps. The diagram must outlive the work.

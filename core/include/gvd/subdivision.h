@@ -37,9 +37,9 @@ struct SubdividedTriangles {
 /// all of its triangles, at a vertex that they share if they share its ends, and at the same place
 /// if their ends are at the same places, so no cracks appear. (Where ends are only near each other,
 /// for `MeshOptions::weld` to join, rounding may decide differently on the two sides. That leaves
-/// T-junctions, which `weld` joins, too.) Triangles
-/// without long sides stay as they are, as do those with a corner that is not finite. No side is
-/// halved that is shorter than 2^-48 of the largest coordinate.
+/// T-junctions, which `weld` joins, too.) Triangles without long sides stay as they are, as do
+/// those with a corner that is not finite. No side is halved that is shorter than 2^-48 of the
+/// largest coordinate.
 ///
 /// `positions` and `triangles` as for `TriangleMesh`. Throws as it does if an index is out of range
 /// or an array's size is no multiple of three; `Error(kInvalidArgument)` if an option is not in its

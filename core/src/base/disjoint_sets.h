@@ -33,12 +33,12 @@ class DisjointSets {
     hasOthers_[a] = true;
   }
 
-  /// Whether `isOne` is true for any member of a root's set.
+  /// Whether a predicate is true for any member of a root's set.
   template <class Predicate>
-  bool anyMember(int root, Predicate isOne) const {
+  bool anyMember(int root, Predicate predicate) const {
     int i = root;
     do {
-      if (isOne(i)) return true;
+      if (predicate(i)) return true;
       if (i < limit()) i = nextMember_[i];
     } while (i != root);
     return false;

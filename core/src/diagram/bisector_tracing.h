@@ -20,7 +20,8 @@ namespace gvd {
 class BisectorTracing {
  public:
   /// Sets the areas of regions, the labels of faces and the indifferent faces of `diagram`, whose
-  /// number of sites is set. Takes the sole owners out of a complex of faces: they are the labels.
+  /// number of sites is set. If no face is split, the sole owners of the faces are their labels,
+  /// and are taken out of the complex.
   BisectorTracing(FaceComplex& complex, IndexMap& pointOfNode, BisectorGraph& graph,
                   Diagram& diagram);
   /// True when the graph is complete.

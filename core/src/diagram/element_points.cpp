@@ -124,9 +124,9 @@ bool ElementPoints::isNearCorner(const FaceEnvelope& envelope, const Vertex& v) 
   return (size * bary.array() <= kNear).count() >= 2;
 }
 
-/// Whether any inner vertex is near another vertex. All vertices count the inner ones near them,
-/// which are sorted by one coordinate. Every inner vertex counts itself, so more than their number
-/// tells of a pair.
+/// Whether any inner vertex is near another vertex. For each vertex, the inner vertices near it are
+/// counted; they are sorted by one coordinate. As each inner vertex is near itself, a sum larger
+/// than their number tells of a pair.
 bool ElementPoints::areNear(std::span<const Vertex> vertices) {
   inner_.clear();
   for (size_t v = 0; v < vertices.size(); ++v)

@@ -35,7 +35,7 @@ void findNearLabels(const std::array<std::span<const LabelledDistance>, 3>& know
     for (int i = 0; i < 3 && at[0] && at[1] && at[2]; ++i)
       nearest[i] = std::min(nearest[i], at[i]->distance);
   });
-  // What is farther from a corner is farther from all points of the element than that label.
+  // A label farther from corner i than most[i] is farther everywhere than one known at all corners.
   std::array<double, 3> most;
   for (int i = 0; i < 3; ++i) {
     most[i] = kInfinity;

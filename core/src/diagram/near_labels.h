@@ -18,9 +18,9 @@ struct NearLabel {
 
 /// Lists the near labels of an element in `near`, ascending, given the labels known at its corners
 /// and the lengths of its sides. Many labels may be known at the corners of a long face, few are
-/// near any of its parts. Left out is what some label that is known at all corners is nearer than
-/// everywhere, by the triangle inequality. DGPC's distances break it here and there: what is
-/// nearest at a corner stays in any case.
+/// near any of its parts. A label is left out if, by the triangle inequality, some label known at
+/// all corners is nearer everywhere. DGPC's distances violate the inequality here and there, so the
+/// labels that are nearest at a corner always stay.
 void findNearLabels(const std::array<std::span<const LabelledDistance>, 3>& known,
                     const std::array<double, 3>& lengths, const TieTolerance& ties,
                     std::vector<NearLabel>& near);

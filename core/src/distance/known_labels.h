@@ -48,7 +48,8 @@ class KnownLabels {
 
   /// Forgets the previous change.
   void beginChange();
-  /// Notes a label that changes for callers, whether it takes part or not.
+  /// Notes a label whose site changes, even if it takes no part because another one is at its
+  /// place.
   void noteChanged(int label) { changedLabels_.push_back(label); }
   /// Notes what may change without a label. Call before the spread forgets the label and before its
   /// site is removed.

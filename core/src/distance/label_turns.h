@@ -25,8 +25,8 @@ class LabelTurns {
   void addStart(int label) { turns_.push_back({label, Turn::kStart, {}}); }
   /// A turn to spread on from where the label stopped.
   void addResume(int label) { turns_.push_back({label, Turn::kResume, {}}); }
-  /// In place of all turns, one of each label to spread on to its faces. Labels come in the order
-  /// of their first faces, so that the memory they touch is still in the cache.
+  /// Replaces all turns by one for each required label, to spread on to its faces. Labels come in
+  /// the order of their first faces, so that the memory they touch is still in the cache.
   void setRequired(std::span<const Requirement> requirements);
 
   bool isEmpty() const { return turns_.empty(); }

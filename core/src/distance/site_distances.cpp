@@ -137,7 +137,7 @@ void SiteDistances::takeGiven(const SiteChange& given) {
   return lowest;
 }
 
-/// Adds to the changes what it means for a label to be the lowest at its place, or not to be.
+/// Adds a change if a label, as the lowest at its place, comes to take part, or if it ceases to.
 void SiteDistances::takePart(int label) {
   if (given_.contains(label) && lowestAt(given_[label]) == label) {
     const SurfacePoint& site = given_[label];

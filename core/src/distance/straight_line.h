@@ -19,10 +19,10 @@ struct StraightLine {
 
   /// Turns to the face behind the halfedge: the source lies at y >= 0 then. False at the boundary.
   bool enterFace(const TriangleMesh& mesh);
-  /// Goes on to the side by which the line leaves the face that it has entered. False if the source
-  /// lies in the face: then to the place on a side next to the source. Each face aims the line at
-  /// its source anew, so that it stays in connected faces even if rounding puts it on the wrong
-  /// side of a vertex.
+  /// Goes on to the side by which the line leaves the face that it has entered. If the source lies
+  /// in the face, goes to the point of that side next to the source, and returns false. Each face
+  /// aims the line at its source anew, so that it stays in connected faces even if rounding puts it
+  /// on the wrong side of a vertex.
   bool crossFace(const TriangleMesh& mesh);
 };
 

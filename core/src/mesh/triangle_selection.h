@@ -22,7 +22,7 @@ bool isDegenerate(const Corners& corners);
 /// The kept triangles, in the input's order, and the kept triangle of each input triangle.
 struct Selection {
   std::vector<int> input;  ///< of each kept triangle, the input triangle
-  Faces faces;             ///< of each kept triangle; only the vertices, its representatives
+  Faces faces;             ///< of each kept triangle: its corners' representatives, without twins
   std::vector<int> kept;   ///< of each input triangle, the kept one with its corners, or -1
 };
 

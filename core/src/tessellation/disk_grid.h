@@ -32,7 +32,7 @@ class DiskGrid {
   void add(int face, const Distances& distances, double radius);
   /// The disks in the rectangle of a point, all disks that contain the point among them.
   std::span<const int> near(const SurfacePoint& p) const;
-  /// One of these disks.
+  /// The distances of the centre of one of these disks.
   const Distances& operator[](int disk) const { return distances_[disk]; }
 
  private:

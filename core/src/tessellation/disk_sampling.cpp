@@ -32,9 +32,9 @@
 namespace gvd {
 namespace {
 
-/// Points that keep their distance. Each point has its distance at all vertices of the faces that
-/// its disk reaches, so whether a place is free follows from its own face, and in a large face from
-/// the disks near the place.
+/// Dart throwing: random points, each kept unless it lies in the disk of an earlier one. A disk is
+/// stored in all faces that it reaches, so whether a place is free follows from its own face, and
+/// in a large face from the disks near the place.
 class DiskSampling final : public SequentialWork<PoissonDisk> {
  public:
   /// Throws darts until there are `count` points, or so many darts in a row have missed that there

@@ -13,8 +13,8 @@ namespace gvd {
 
 /// Adds vertices to a list of points until no vertex of the mesh is farther than a radius from all
 /// of them by exact distances, always the farthest; of equals, the lowest. Few are missing where
-/// the points cover the vertices by approximate distances already. In slices: as long as exact
-/// distances of all points, and O(V) for each that is added.
+/// the points cover the vertices by approximate distances already. Takes as long as exact distances
+/// of all points, and O(V) for each vertex that is added.
 class VertexCovering {
  public:
   /// The list grows to no more than `most` points. Both must outlive this.

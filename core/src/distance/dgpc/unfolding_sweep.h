@@ -55,9 +55,10 @@ inline bool seesApex(const TriangleMesh::Face& face, int side, double atTail, do
 /// Whether the virtual source behind a side, if there is one, is nearer to the apex than
 /// `distance`, up to rounding. Source and apex lie on opposite sides of the side's line. If they
 /// are d apart along it and y and a away from it, their squared distance is d² + y² + a² + 2ya.
-/// What the first three leave of `distance`² for the last is compared with it squared, which needs
-/// no root. Half of the sides that see their apex are done with by its sign, which needs no
-/// quotient. No product has more than four lengths as factors: it might overflow.
+/// `left` is `distance`² less the first three terms, times the length. Unless it is positive, the
+/// source is not nearer: for half of the sides that see their apex, that saves the quotients. Else
+/// it is compared with the last term, both squared, which saves the root. No product has more than
+/// four lengths as factors: it might overflow.
 inline bool isNearer(const TriangleMesh::Face& face, int side, double atTail, double atTip,
                      double distance) {
   const double length = face.lengths[side], toApex = face.lengths[cornerBefore(side)];

@@ -66,14 +66,14 @@ class PointDistances final : public SlicedWork<std::vector<double>> {
   const SiteSet& sites_;
   NearestBounds& bounds_;
   FoundDistances& found_;
-  /// Later only the open ones: not found before.
+  /// All points, later only the *open* ones, whose distances have not been found before.
   std::vector<LabelledPoint> points_;
   std::unique_ptr<WindowSweep>& spare_;
   std::unique_ptr<WindowSweep> sweep_;  ///< null while no point is open
   SlicedSequence sequence_;
   std::vector<double> distances_;
   std::vector<int> open_;  ///< the open points' indices in `distances_`
-  Grouping byLabel_;       ///< of open points in `points_`, by label
+  Grouping byLabel_;       ///< the open points' indices in `points_`
   size_t doneCount_ = 0;   ///< of these
 
   // The current label, and what it is required at: all of its open points.
