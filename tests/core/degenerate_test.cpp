@@ -405,6 +405,24 @@ TEST_P(Degenerate, MoebiusStripIsDividedWhereItWasNotCut) {
   EXPECT_TRUE(d.voronoiPoints.empty());
 }
 
+/// Of DGPC distances, those within faces do not tie.
+TEST(DegenerateInDetail, AllThatMeetAtACornerOfOneElementMeetInOnePoint) {
+  // Six sites around the middle of an edge of an icosahedron, whose regions meet there and in the
+  // middle of the opposite edge: there, four of them within one part of a face.
+  const auto mesh = shapes::subdivided(shapes::icosphere(0)).mesh();
+  for (int middle = 0; middle < mesh.vertexCount(); ++middle) {
+    if (mesh.fan(middle).size() != 6) continue;
+    Sites sites;
+    for (const int h : mesh.fan(middle)) {
+      Eigen::Vector3d bary = Eigen::Vector3d::Constant(0.25);
+      bary[h % 3] = 0.5;
+      sites.push_back({TriangleMesh::faceOf(h), bary});
+    }
+    const Diagram d = checks::trace(mesh, sites, Metric::kExact, 1).diagram;
+    EXPECT_EQ(meetings(d), (std::vector<Labels>{{0, 1, 2, 3, 4, 5}, {0, 5, 4, 3, 2, 1}})) << middle;
+  }
+}
+
 TEST_P(Degenerate, SidesOfACutAreSplitOnTheirOwn) {
   // A tetrahedron with a triangle more on its edge from 0 to 1, which is therefore cut. The sites
   // lie on both sides of the cut, alike, so they share the tetrahedron evenly.

@@ -12,14 +12,15 @@ bool isOnSide(const SurfacePoint& p) { return p.bary.minCoeff() == 0; }
 
 }  // namespace
 
-void BisectorGraph::unite(int a, int b) {
+bool BisectorGraph::unite(int a, int b) {
   a = merging.root(a);
   b = merging.root(b);
-  if (a == b || (isNode(a) && isNode(b))) return;
+  if (a == b || (isNode(a) && isNode(b))) return false;
   if (isNode(b) || (!isNode(a) && b < a)) std::swap(a, b);
   mergedFaces.insert(mergedFaces.end(), {places[a].face, places[b].face});
   if (!isOnSide(places[a]) && isOnSide(places[b])) places[a] = places[b];
   merging.unite(a, b);
+  return true;
 }
 
 }  // namespace gvd

@@ -96,8 +96,9 @@ struct BisectorGraph {
   }
   /// Merges two points. A node becomes the root, so that a merged point on a vertex has exactly its
   /// place; otherwise the lower number does, with a place on a side if either has one. Two nodes
-  /// are never merged, however near, because region triangles have them as corners.
-  void unite(int a, int b);
+  /// are never merged, however near, because region triangles have them as corners. Returns whether
+  /// the points were apart, and are one now.
+  bool unite(int a, int b);
 };
 
 // The functions below write number by number. The numbers are still in registers; assembling a

@@ -100,6 +100,7 @@ long BisectorTracing::divide(int element) {
     graph_.closeCell(face, envelope_.label(cell.function));
   }
   for (const FaceEnvelope::Segment& segment : envelope_.segments()) addSegment(element, segment);
+  points_.mergeEnds(envelope_);
   addAreas(mesh_.faceArea(face));
   return 1 + static_cast<long>(functions.size() * envelope_.cells().size() / kQuickRounds);
 }
@@ -138,7 +139,6 @@ void BisectorTracing::addSegment(int element, const FaceEnvelope::Segment& added
   } else if (const int after = segmentAcross(to, segment); after >= 0) {
     link(segment, after);
   }
-  points_.mergeEnds(envelope_, added.tail, added.tip);
 }
 
 /// Notes a dart of a region that leaves an inner point or arrives there. Once both are known, the

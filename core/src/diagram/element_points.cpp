@@ -98,18 +98,30 @@ void ElementPoints::make(int element, const FaceEnvelope& envelope) {
   if (hasInnerPoint && areNear(vertices)) tellApartInnerPoints(complex_.face(element), vertices);
 }
 
+/// Goes through the segments again as long as points are merged: beside a corner, each point that
+/// is merged with it may let the next one follow.
+void ElementPoints::mergeEnds(const FaceEnvelope& envelope) {
+  bool hasMerged;
+  do {
+    hasMerged = false;
+    for (const FaceEnvelope::Segment& segment : envelope.segments())
+      hasMerged |= mergeEnds(envelope, segment);
+  } while (hasMerged);
+}
+
 /// Merging must not join points of two sides beside their common corner without the corner itself:
-/// that would pinch off the surface.
-void ElementPoints::mergeEnds(const FaceEnvelope& envelope, int tail, int tip) {
+/// that would pinch off the surface. Returns whether points were merged.
+bool ElementPoints::mergeEnds(const FaceEnvelope& envelope, const FaceEnvelope::Segment& segment) {
+  const int tail = segment.tail, tip = segment.tip;
   const double distance = largestDifference(placed_[tail].bary, placed_[tip].bary);
-  if (distance > 2 * kMaxPointError) return;  // as mostly
+  if (distance > 2 * kMaxPointError) return false;  // as mostly
   const Vertex &from = envelope.vertices()[tail], &to = envelope.vertices()[tip];
-  if (distance > errorOf(envelope, from) + errorOf(envelope, to)) return;
+  if (distance > errorOf(envelope, from) + errorOf(envelope, to)) return false;
   const int a = placed_[tail].point, b = placed_[tip].point;
-  if (!graph_.isInner(a) && !graph_.isInner(b)) return;
+  if (!graph_.isInner(a) && !graph_.isInner(b)) return false;
   const bool isBesideCorner = isNearCorner(envelope, from) || isNearCorner(envelope, to);
   const auto isAtNode = [&](int point) { return graph_.isNode(graph_.merging.root(point)); };
-  if (!isBesideCorner || isAtNode(a) || isAtNode(b)) graph_.unite(a, b);
+  return (!isBesideCorner || isAtNode(a) || isAtNode(b)) && graph_.unite(a, b);
 }
 
 /// Whether a vertex is inside, and so near to a corner of the element that it could be merged with

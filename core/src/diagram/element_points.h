@@ -41,9 +41,8 @@ class ElementPoints {
       pointOfNode_.add(node, graph_.addNode(complex_.face(element), bary));
     return pointOfNode_[node];
   }
-  /// Merges the points at the ends of a segment within their error bounds, if one of them is
-  /// inside.
-  void mergeEnds(const FaceEnvelope& envelope, int tail, int tip);
+  /// Merges the points at the ends of segments within their error bounds, if one of them is inside.
+  void mergeEnds(const FaceEnvelope& envelope);
 
  private:
   using Vertex = FaceEnvelope::Vertex;
@@ -52,6 +51,7 @@ class ElementPoints {
                  const Eigen::Vector3d& bary);
   void mergeOnSide(int element, const FaceEnvelope& envelope, const Vertex& v, int point,
                    const Eigen::Vector3d& bary);
+  bool mergeEnds(const FaceEnvelope& envelope, const FaceEnvelope::Segment& segment);
   bool isNearCorner(const FaceEnvelope& envelope, const Vertex& v) const;
   bool areNear(std::span<const Vertex> vertices);
   void tellApartInnerPoints(int face, std::span<const Vertex> vertices);
