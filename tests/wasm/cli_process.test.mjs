@@ -73,6 +73,18 @@ for (const [what, line, status, pattern] of [
     1,
     oneLine('standard output.*disk is full'),
   ],
+  [
+    'a full disk behind a help',
+    'gv --help >/dev/full',
+    1,
+    oneLine('standard output.*disk is full'),
+  ],
+  [
+    'a name that is too long',
+    'gv cvt mesh.glb --sites 2 -o $(printf %0300d 1).json',
+    1,
+    oneLine('cannot be written: name too long'),
+  ],
   ['no room for an error', 'gv info nowhere.glb 2>/dev/full', 1, /^$/],
   ['no standard error', 'gv info nowhere.glb 2>&-', 1, /^$/],
   ['no standard input', 'gv info - <&-', 1, oneLine('file is empty')],

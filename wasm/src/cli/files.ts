@@ -19,6 +19,7 @@ import {
 } from 'node:fs/promises';
 import { basename, dirname, join, resolve, sep } from 'node:path';
 import type { Readable } from 'node:stream';
+import { getSystemErrorMap } from 'node:util';
 import { gltfResourceUris } from '../input/gltf_document.js';
 import { placeOf } from '../input/model_files.js';
 import type { ModelFile, ModelFiles } from '../api/options.js';
@@ -270,7 +271,7 @@ async function replaceFile(path: string, content: string | Uint8Array): Promise<
 /** The signals by which other programs ask one to end. */
 const endSignals = ['SIGINT', 'SIGTERM', 'SIGHUP'] as const;
 
-function writeStandardOutput(content: string | Uint8Array): Promise<void> {
+export function writeStandardOutput(content: string | Uint8Array): Promise<void> {
   return new Promise((done, fail) => {
     process.stdout.write(content, (error) => {
       // The reader of a pipe, for example head, may close it early.
@@ -281,6 +282,7 @@ function writeStandardOutput(content: string | Uint8Array): Promise<void> {
   });
 }
 
+/** What is clearer than the system's own words, such as 'illegal operation on a directory'. */
 const reasons: Record<string, string> = {
   ENOENT: 'there is no such file or folder',
   EACCES: 'permission is denied',
@@ -292,6 +294,6 @@ const reasons: Record<string, string> = {
 };
 
 function reason(error: unknown): string {
-  const { code, message } = error as NodeJS.ErrnoException;
-  return reasons[code ?? ''] ?? message;
+  const { code = '', errno = 0, message } = error as NodeJS.ErrnoException;
+  return reasons[code] ?? getSystemErrorMap().get(errno)?.[1] ?? message;
 }

@@ -6,13 +6,14 @@
 import { readFile } from 'node:fs/promises';
 import { execute } from './commands.js';
 import { fail } from './failure.js';
+import { writeStandardOutput } from './files.js';
 import { parseCommandLine } from './command_line.js';
 
 async function main(args: string[]): Promise<void> {
   const packageFile = new URL('../../package.json', import.meta.url);
   const { version } = JSON.parse(await readFile(packageFile, 'utf8'));
   const invocation = parseCommandLine(args, version);
-  if (typeof invocation === 'string') process.stdout.write(invocation);
+  if (typeof invocation === 'string') await writeStandardOutput(invocation);
   else await execute(invocation);
 }
 
