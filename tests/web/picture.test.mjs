@@ -188,6 +188,21 @@ test('the colours follow the theme of the page while it is open', async () => {
   assert.ok(dark.lightness < 0.9 * light.lightness, `${dark.lightness} after ${light.lightness}`);
 });
 
+test('on paper there is the view alone, on one page, and not stretched to the shape of the paper', async () => {
+  const viewer = await browser.open();
+  const { page } = viewer;
+  const pages = (await page.pdf()).toString('latin1').match(/\/Type \/Page\b/g);
+  await page.emulateMedia({ media: 'print' });
+  for (const rest of ['header', 'aside', '#toolbar', '#notices'])
+    assert.equal(await page.isVisible(rest), false, rest);
+  const { width, height } = await page.locator('geodesic-voronoi').boundingBox();
+  assert.deepEqual({ width, height }, page.viewportSize());
+  const fit = await viewer.evaluate(
+    ({ shadowRoot }) => getComputedStyle(shadowRoot.querySelector('canvas')).objectFit,
+  );
+  assert.deepEqual([pages.length, fit], [1, 'contain']);
+});
+
 test('markers stay on the surface: none reaches beyond the silhouette', async () => {
   const viewer = await opened(torus(60, 30), { sites: 200 });
   const before = await viewer.coverage(await viewer.picture(['regions']));

@@ -22,6 +22,7 @@ const style = `
   canvas {
     /* All of the element; its padding is room for what lies on the view. */
     position: absolute; inset: 0; width: 100%; height: 100%; outline: none;
+    object-fit: contain; /* on paper */
     /* The camera's controls would set it to "none" everywhere. */
     touch-action: var(--own-touch-action, none) !important;
     color: CanvasText; /* themeOf() tells dark pages by it */
