@@ -270,6 +270,23 @@ suite('attributes and properties', () => {
     assert.match(await refusal('detail', 'fine'), /detail is "fine", not an integer/);
   });
 
+  test('what a listener changes when something is refused stays', async () => {
+    const viewer = await browser.open({ path: 'one.html' });
+    const instead = (name, refused, other) =>
+      viewer.evaluate(
+        (viewer, [name, refused, other]) => {
+          viewer.addEventListener('error', () => viewer.setAttribute(name, other), { once: true });
+          viewer.setAttribute(name, refused);
+          return new Promise((resolve) => {
+            viewer.addEventListener('diagram', ({ detail }) => resolve(detail), { once: true });
+          });
+        },
+        [name, refused, other],
+      );
+    assert.equal((await instead('metric', 'round', 'dgpc')).metric, 'dgpc');
+    assert.equal((await instead('sites', 'many', '7')).regions, 7);
+  });
+
   test('a site that is nowhere is refused, and the diagram is there as before', async () => {
     const viewer = await browser.open({ path: 'one.html' });
     const message = await viewer.evaluate(async (viewer) => {

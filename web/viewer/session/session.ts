@@ -65,8 +65,7 @@ export class Session {
     this.#cvt = new CvtPlayer(this.#history, this.#diagram, prepare, listener, {
       statusChanged: () => this.#updateStatus(),
       failed: (error) => {
-        this.#fail(sentence('The sites cannot be moved', error));
-        this.#request();
+        this.#giveUp(sentence('The sites cannot be moved', error), () => this.#request());
       },
     });
   }
@@ -175,12 +174,16 @@ export class Session {
     const { mesh } = this;
     const outcome = task.run(work);
     this.#updateStatus();
-    const isDone = await outcome.catch((error) => {
-      this.#fail(error, failure);
+    let error: unknown;
+    const isDone = await outcome.catch((thrown) => {
+      error = thrown;
       return false;
     });
-    if (!isDone && mesh && mesh === this.mesh && !task.isRunning)
-      this.#listener.settingsRestored(this.#diagram.settings);
+    const restore = () => {
+      if (mesh && mesh === this.mesh && !task.isRunning)
+        this.#listener.settingsRestored(this.#diagram.settings);
+    };
+    if (!isDone) this.#giveUp(error, restore, failure);
     this.#updateStatus();
     return isDone;
   }
@@ -321,8 +324,8 @@ export class Session {
 
   #requestFailed(request: DiagramRequest, error: unknown): void {
     if (this.#cvt.isPlaying) return; // its next iteration shows the present sites
-    if (error) this.#fail(sentence('The diagram cannot be made', error));
-    this.#returnToShown(request);
+    const failure = error && sentence('The diagram cannot be made', error);
+    this.#giveUp(failure, () => this.#returnToShown(request));
   }
 
   /** Goes back to the shown sites; if no diagram was shown yet, the sites stay without one. */
@@ -341,11 +344,16 @@ export class Session {
     if (isGone && sites.length > 0 && failed.sites !== sites) this.#request();
   }
 
-  #fail(error: unknown, type: FailureType = 'computefailure'): void {
-    this.#hasFailed = true;
+  /**
+   * Ends work that failed or, without an error, was cancelled. Listeners are told when all is restored, so
+   * what they change stays.
+   */
+  #giveUp(error: unknown, restore: () => void, type: FailureType = 'computefailure'): void {
+    if (error) this.#hasFailed = true;
     // An opening has seen to its own library: that may be another one than the present model's.
-    if (isOfStopped(error) && this.#opened) this.#discard(this.#opened.lease);
-    this.#listener.failed(type, error);
+    if (error && isOfStopped(error) && this.#opened) this.#discard(this.#opened.lease);
+    restore();
+    if (error) this.#listener.failed(type, error);
   }
 
   /**
