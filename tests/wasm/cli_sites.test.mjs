@@ -311,6 +311,21 @@ test('cvt with sites that stay, and with a density', () => {
   const spread = succeeds(`${finer} --density each.json`).stdout;
   assert.notEqual(spread, succeeds(finer).stdout);
 
+  // As NumPy's savetxt writes them, and with an end of Windows' lines.
+  write('each.txt', '1.0e+00\r\n2.0e+00\n3\n4\n5\n6\n');
+  assert.equal(succeeds(`${finer} --density each.txt`).stdout, spread);
+  write('stay.txt', '1 3\n');
+  const stay = succeeds('cvt shape.glb --sites 5 --fixed-sites stay.txt').stdout;
+  assert.deepEqual(JSON.parse(stay), after);
+  for (const [text, words] of [
+    ['1\n0,5\n', /words\.txt: number 1 is "0,5", not a number from 0$/m],
+    ['density\n1\n', /words\.txt: number 0 is "density", not a number from 0$/m],
+    [' \n', /words\.txt: the file is empty$/m],
+  ]) {
+    write('words.txt', text);
+    fails(1, 'cvt shape.glb --sites 5 --density words.txt', words);
+  }
+
   write('few.json', '[1, 1]');
   write('object.json', '{}');
   fails(

@@ -113,13 +113,13 @@ export const options = {
     value: 'FILE|attribute|curvature',
     parse: path,
     optional: true,
-    help: 'Sites are closer where it is higher, random ones from the beginning, others through iterations: a JSON list of a density per vertex; attribute: that of the mesh file (_DENSITY of a glTF, density of a PLY); or by curvature',
+    help: 'Sites are closer where it is higher, random ones from the beginning, others through iterations: a file with a density per vertex, as JSON list or one per line; attribute: that of the mesh file (_DENSITY of a glTF, density of a PLY); or by curvature',
   },
   'fixed-sites': {
     value: 'FILE',
     parse: path,
     optional: true,
-    help: 'Indices of sites that stay where they are: a file of a JSON list, or JSON itself, as [0, 1]',
+    help: 'Indices of sites that stay where they are: a file with a JSON list or one per line, or JSON itself, as [0, 1]',
   },
   'energy-tolerance': {
     value: 'SHARE',

@@ -6,6 +6,7 @@ import { show } from '../base/checks.js';
 import type { Rule } from '../base/rules.js';
 import { isJson, readJson, readPointsFile } from '../input/points_reader.js';
 import { type PointsFile, pointsFile } from '../input/points_file.js';
+import { requireNoUtf16 } from '../input/text_encoding.js';
 import { exists, FileError, readBytes } from './files.js';
 import { standard } from './options.js';
 
@@ -13,13 +14,23 @@ import { standard } from './options.js';
 export async function readNumbers(given: string, rule: Rule): Promise<number[]> {
   if (/^\d+(,\d+)*$/.test(given) && !(await exists(given)))
     throw new FileError(`there is no file ${given}; a list of numbers is given as '[${given}]'`);
-  const json = await readAs(given, async (bytes) => readJson(bytes));
-  if (!Array.isArray(json)) throw new FileError(`${nameOf(given)} holds no list of numbers`);
-  const wrong = json.findIndex((item) => !rule.allows(item));
-  if (wrong < 0) return json;
+  const list = await readAs(given, async (bytes) => listIn(bytes));
+  if (!Array.isArray(list)) throw new FileError(`${nameOf(given)} holds no list of numbers`);
+  const wrong = list.findIndex((item) => !rule.allows(item));
+  if (wrong < 0) return list;
   throw new FileError(
-    `${nameOf(given)}: number ${wrong} is ${show(json[wrong])}, not ${rule.words}`,
+    `${nameOf(given)}: number ${wrong} is ${show(list[wrong])}, not ${rule.words}`,
   );
+}
+
+/** JSON, or the numbers of a text with blanks or line ends between them; other words as they are. */
+function listIn(bytes: Uint8Array): unknown {
+  requireNoUtf16(bytes);
+  const text = new TextDecoder().decode(bytes);
+  if (isJson(text)) return readJson(bytes);
+  if (text.trim() === '') throw new Error('the file is empty');
+  const words = text.trim().split(/\s+/);
+  return words.map((word) => (Number.isNaN(Number(word)) ? word : Number(word)));
 }
 
 /** Points as they were given, with the name that messages call them. */
