@@ -6,6 +6,7 @@ import { legendStyle } from '../layers/legend.js';
 import { contextLost } from '../session/failure.js';
 import { english, make } from '../stage/make.js';
 
+/** The canvas keeps its shape (`object-fit`) on paper, for which browsers do not draw it anew. */
 const style = `
   :host {
     display: block;
@@ -22,7 +23,7 @@ const style = `
   canvas {
     /* All of the element; its padding is room for what lies on the view. */
     position: absolute; inset: 0; width: 100%; height: 100%; outline: none;
-    object-fit: contain; /* on paper */
+    object-fit: contain;
     /* The camera's controls would set it to "none" everywhere. */
     touch-action: var(--own-touch-action, none) !important;
     color: CanvasText; /* themeOf() tells dark pages by it */
