@@ -14,7 +14,10 @@ suite('the centroidal tessellation', () => {
     await viewer.evaluate((viewer) => {
       for (const group of document.querySelectorAll('#panel details')) group.open = true;
       viewer.iterations = [];
-      viewer.addEventListener('cvt-iteration', ({ detail }) => viewer.iterations.push(detail));
+      viewer.addEventListener('cvt-iteration', ({ detail }) => {
+        const areas = document.getElementById('region-areas').textContent;
+        viewer.iterations.push({ ...detail, areas });
+      });
     });
   });
 
@@ -51,6 +54,7 @@ suite('the centroidal tessellation', () => {
     }
     const [first, last] = [all[0], all.at(-1)];
     assert.ok(last.energy < 0.75 * first.energy, `from ${first.energy} to ${last.energy}`);
+    assert.notEqual(last.areas, first.areas, 'told during the iterations');
     assert.ok(last.relativeEnergy > 0.8 && last.relativeEnergy < 1.4, `${last.relativeEnergy}`);
     assert.equal(await text('#cvt-state'), 'Finished 6 iterations');
     assert.equal(await text('#cvt-iteration'), '6');

@@ -161,6 +161,9 @@ function setUpTimes(viewer: GeodesicVoronoiElement): void {
   const opening = byId('time-open', HTMLElement);
   const diagram = byId('time-diagram', HTMLElement);
   const drawing = byId('time-draw', HTMLElement);
+  const showAreas = () => {
+    areas.textContent = spreadOf(viewer.regionAreas);
+  };
   let start = performance.now();
   listen(viewer, 'status-change', ({ status }) => {
     if (status === 'loading') start = performance.now();
@@ -173,7 +176,7 @@ function setUpTimes(viewer: GeodesicVoronoiElement): void {
   listen(viewer, 'diagram', ({ arcs, voronoiPoints, milliseconds }) => {
     arcCount.textContent = integer(arcs);
     voronoiPointCount.textContent = integer(voronoiPoints);
-    areas.textContent = spreadOf(viewer.regionAreas);
+    showAreas();
     diagram.textContent = duration(milliseconds);
     const drawn = performance.now();
     requestAnimationFrame(() =>
@@ -182,4 +185,5 @@ function setUpTimes(viewer: GeodesicVoronoiElement): void {
       }),
     );
   });
+  listen(viewer, 'cvt-iteration', showAreas);
 }
