@@ -318,9 +318,10 @@ test('cvt with sites that stay, and with a density', () => {
   const stay = succeeds('cvt shape.glb --sites 5 --fixed-sites stay.txt').stdout;
   assert.deepEqual(JSON.parse(stay), after);
   for (const [text, words] of [
-    ['1\n0,5\n', /words\.txt: number 1 is "0,5", not a number from 0$/m],
-    ['density\n1\n', /words\.txt: number 0 is "density", not a number from 0$/m],
+    ['1\n0,5\n', /words\.txt: number 1 is "0,5", not a number of 0 or more$/m],
+    ['density\n1\n', /words\.txt: number 0 is "density", not a number of 0 or more$/m],
     [' \n', /words\.txt: the file is empty$/m],
+    ['\x93NUMPY\x01\0', /words\.txt: it is not text$/m],
   ]) {
     write('words.txt', text);
     fails(1, 'cvt shape.glb --sites 5 --density words.txt', words);
@@ -339,7 +340,7 @@ test('cvt with sites that stay, and with a density', () => {
   fails(
     1,
     'cvt shape.glb --sites 5 --density minus.json',
-    /: minus\.json: number 1 is -1, not a number from 0$/m,
+    /: minus\.json: number 1 is -1, not a number of 0 or more$/m,
   );
   fails(
     1,

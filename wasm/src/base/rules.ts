@@ -31,7 +31,7 @@ export function integers(least: number, most: number): Rule {
 }
 
 export const share = numbers('a number from 0 to 1', (x) => x >= 0 && x <= 1);
-export const length = numbers('a number from 0', (x) => x >= 0 && x < Infinity);
+export const length = numbers('a number of 0 or more', (x) => x >= 0 && x < Infinity);
 export const positive = numbers('a positive number', (x) => x > 0 && x < Infinity);
 
 export const string: Rule = { words: 'a string', allows: (value) => typeof value === 'string' };

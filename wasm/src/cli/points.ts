@@ -29,6 +29,7 @@ function listIn(bytes: Uint8Array): unknown {
   const text = new TextDecoder().decode(bytes);
   if (isJson(text)) return readJson(bytes);
   if (text.trim() === '') throw new Error('the file is empty');
+  if (text.includes('\0')) throw new Error('it is not text');
   const words = text.trim().split(/\s+/);
   return words.map((word) => (Number.isNaN(Number(word)) ? word : Number(word)));
 }
