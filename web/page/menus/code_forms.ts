@@ -186,9 +186,9 @@ function scriptOf({ viewer, model, origin, sitesFile }: Recipe): string {
   return [
     "import { load } from 'geodesic-voronoi';",
     '',
-    'const library = await load();',
+    'const gvd = await load();',
     `const bytes = await (await fetch('${addressOf(model)}')).arrayBuffer();`,
-    `const mesh = await library.mesh(new Uint8Array(bytes)${meshOptions.length > 0 ? `, { ${meshOptions.join(', ')} }` : ''});`,
+    `const mesh = await gvd.mesh(bytes${meshOptions.length > 0 ? `, { ${meshOptions.join(', ')} }` : ''});`,
     ...placing[origin],
     `const diagram = await mesh.voronoi(sites, { metric: '${value('metric')}', detail: ${value('detail')} });`,
   ].join('\n');
