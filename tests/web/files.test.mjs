@@ -111,6 +111,9 @@ suite('files', () => {
     await viewer.after('diagram', () => drop('d.json', JSON.stringify({ sites: removed })));
     const now = JSON.stringify(await viewer.sites()); // which knows no -0
     assert.equal(now, JSON.stringify(before), 'labels without a site are left out');
+    const markup = ['# columns = x,y,z', places.slice(0, 3)].join('\n'); // of 3D Slicer
+    await viewer.after('diagram', () => drop('one.fcsv', markup));
+    assert.equal(await viewer.siteCount(), 1);
     const table = ['x,y,z', places.slice(0, 3), places.slice(3, 6)].join('\n');
     await viewer.after('diagram', () => drop('two.csv', table));
     assert.equal(await viewer.siteCount(), 2);

@@ -30,7 +30,7 @@ export async function sitesCsv({ sites, mesh }: GeodesicVoronoiElement): Promise
 /** A folder's files of these kinds may be anything; those that are opened one by one are sites. */
 export async function isSitesFile(file: File): Promise<boolean> {
   if (file.webkitRelativePath) return false;
-  return /\.(json|csv|xyz)$/i.test(file.name) || (isPly(file) && (await isWithoutFaces(file)));
+  return /\.(json|f?csv|xyz)$/i.test(file.name) || (isPly(file) && (await isWithoutFaces(file)));
 }
 
 function isPly({ name }: File): boolean {
