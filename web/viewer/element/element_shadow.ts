@@ -6,7 +6,10 @@ import { legendStyle } from '../layers/legend.js';
 import { contextLost } from '../session/failure.js';
 import { english, make } from '../stage/make.js';
 
-/** The canvas keeps its shape (`object-fit`) on paper, for which browsers do not draw it anew. */
+/**
+ * The canvas keeps its shape (`object-fit`) on paper, for which browsers do not draw it anew. In full
+ * screen there is not the browser's black, on which lines are lost.
+ */
 const style = `
   :host {
     display: block;
@@ -19,7 +22,7 @@ const style = `
     container-type: size;
   }
   :host([hidden]) { display: none; }
-  :host(:fullscreen) { background: Canvas; } /* not the browser's black, on which lines are lost */
+  :host(:fullscreen) { background: Canvas; }
   canvas {
     /* All of the element; its padding is room for what lies on the view. */
     position: absolute; inset: 0; width: 100%; height: 100%; outline: none;
