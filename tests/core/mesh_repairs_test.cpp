@@ -16,7 +16,7 @@
 #include "gvd/error.h"
 #include "gvd/triangle_mesh.h"
 #include "mechanical_shapes.h"
-#include "mesh/vertex_welding.h"
+#include "mesh/building/vertex_welding.h"
 #include "mesh_checks.h"
 #include "shapes.h"
 

@@ -2,7 +2,7 @@
 //
 // What `TriangleMesh` makes of faces that are no triangles: flat, tiny, or both.
 
-#include "mesh/mollification.h"
+#include "mesh/building/mollification.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "base/plane.h"
-#include "mesh/mollification.h"
+#include "mesh/building/mollification.h"
 
 namespace gvd::exact {
 

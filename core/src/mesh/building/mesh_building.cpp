@@ -17,15 +17,15 @@
 #include "gvd/sliced_work.h"
 #include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
-#include "mesh/boundary_gaps.h"
+#include "mesh/building/boundary_gaps.h"
+#include "mesh/building/input_map.h"
+#include "mesh/building/manifold_building.h"
+#include "mesh/building/mollification.h"
+#include "mesh/building/t_junctions.h"
+#include "mesh/building/triangle_selection.h"
+#include "mesh/building/vertex_welding.h"
 #include "mesh/genus.h"
 #include "mesh/given_triangles.h"
-#include "mesh/input_map.h"
-#include "mesh/manifold_building.h"
-#include "mesh/mollification.h"
-#include "mesh/t_junctions.h"
-#include "mesh/triangle_selection.h"
-#include "mesh/vertex_welding.h"
 
 namespace gvd {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/triangle_selection.h"
+#include "mesh/building/triangle_selection.h"
 
 #include <algorithm>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/mollification.h"
+#include "mesh/building/mollification.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/t_junctions.h"
+#include "mesh/building/t_junctions.h"
 
 #include <algorithm>
 #include <tuple>

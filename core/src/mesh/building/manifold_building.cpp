@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/manifold_building.h"
+#include "mesh/building/manifold_building.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/input_map.h"
+#include "mesh/building/input_map.h"
 
 #include <algorithm>
 #include <cstdint>

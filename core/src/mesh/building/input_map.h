@@ -9,8 +9,8 @@
 
 #include "base/sliced_loop.h"
 #include "gvd/triangle_mesh.h"
+#include "mesh/building/triangle_selection.h"
 #include "mesh/corners.h"
-#include "mesh/triangle_selection.h"
 
 namespace gvd {
 

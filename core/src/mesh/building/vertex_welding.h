@@ -11,7 +11,7 @@
 
 #include "base/grouping.h"
 #include "base/sliced_loop.h"
-#include "mesh/point_grid.h"
+#include "mesh/building/point_grid.h"
 
 namespace gvd {
 

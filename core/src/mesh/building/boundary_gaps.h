@@ -7,7 +7,7 @@
 
 #include "base/sliced_loop.h"
 #include "gvd/triangle_mesh.h"
-#include "mesh/point_grid.h"
+#include "mesh/building/point_grid.h"
 
 namespace gvd {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/point_grid.h"
+#include "mesh/building/point_grid.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/boundary_gaps.h"
+#include "mesh/building/boundary_gaps.h"
 
 #include <algorithm>
 

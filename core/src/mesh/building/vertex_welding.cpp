@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/vertex_welding.h"
+#include "mesh/building/vertex_welding.h"
 
 #include <algorithm>
 #include <cmath>

@@ -11,8 +11,8 @@
 #include "base/grouping.h"
 #include "base/sliced_loop.h"
 #include "gvd/triangle_mesh.h"
+#include "mesh/building/triangle_selection.h"
 #include "mesh/corners.h"
-#include "mesh/triangle_selection.h"
 
 namespace gvd {
 
