@@ -14,7 +14,7 @@
 #include <stdexcept>
 
 #include "base/random.h"
-#include "diagram/near_labels.h"
+#include "diagram/complex/near_labels.h"
 #include "diagram_checks.h"
 #include "equality.h"
 #include "gvd/error.h"

@@ -11,14 +11,14 @@
 
 #include "base/rejection.h"
 #include "base/sliced_loop.h"
-#include "diagram/arc_chaining.h"
-#include "diagram/bisector_tracing.h"
-#include "diagram/final_cells.h"
-#include "diagram/final_points.h"
-#include "diagram/final_segments.h"
-#include "diagram/label_completion.h"
-#include "diagram/region_outlines.h"
-#include "diagram/voronoi_points.h"
+#include "diagram/complex/label_completion.h"
+#include "diagram/final/arc_chaining.h"
+#include "diagram/final/final_cells.h"
+#include "diagram/final/final_points.h"
+#include "diagram/final/final_segments.h"
+#include "diagram/final/region_outlines.h"
+#include "diagram/final/voronoi_points.h"
+#include "diagram/graph/bisector_tracing.h"
 #include "distance/site_distances.h"
 
 namespace gvd {

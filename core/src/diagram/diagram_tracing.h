@@ -7,8 +7,8 @@
 
 #include "base/index_map.h"
 #include "base/index_set.h"
-#include "diagram/bisector_graph.h"
-#include "diagram/complex_building.h"
+#include "diagram/complex/complex_building.h"
+#include "diagram/graph/bisector_graph.h"
 #include "gvd/diagram.h"
 #include "gvd/geodesic.h"
 #include "gvd/sliced_work.h"
