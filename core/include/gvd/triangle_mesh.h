@@ -281,6 +281,7 @@ class TriangleMesh {
  private:
   friend class InputMap;
   friend class MeshBuilding;
+  friend class MeshMeasuring;
   TriangleMesh() = default;
   /// An index in the type of the containers of the standard library.
   static constexpr std::size_t index(int i) { return static_cast<std::size_t>(i); }

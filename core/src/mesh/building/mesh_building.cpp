@@ -1,26 +1,22 @@
 // SPDX-License-Identifier: MIT
 //
 // Building a mesh: the stages, one after the other, in slices.
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "base/bucket_queue.h"
 #include "base/number_text.h"
 #include "base/rejection.h"
 #include "base/sliced_loop.h"
 #include "gvd/sliced_work.h"
-#include "gvd/surface_point.h"
 #include "gvd/triangle_mesh.h"
 #include "mesh/building/boundary_gaps.h"
 #include "mesh/building/input_map.h"
 #include "mesh/building/manifold_building.h"
-#include "mesh/building/mollification.h"
+#include "mesh/building/mesh_measuring.h"
 #include "mesh/building/t_junctions.h"
 #include "mesh/building/triangle_selection.h"
 #include "mesh/building/vertex_welding.h"
@@ -29,20 +25,6 @@
 
 namespace gvd {
 namespace {
-
-/// Between these limits, the products of four lengths in the formulas of areas neither overflow nor
-/// underflow, however thin the triangles: no edge is shorter than 2^-38 of the mean edge, see
-/// `kMollificationMargin`.
-constexpr double kLongestDiagonal = 0x1p200;
-constexpr double kShortestMeanEdge = 0x1p-200;
-
-/// A face is a needle if its shortest side is less than this share of its longest. Around wider
-/// faces, a line that winds once more is longer by at least the square of this, 1e-10 of its
-/// length: far more than a tie (`kDistanceTolerance`), so its windows end by their length alone.
-constexpr double kNeedle = 1e-5;
-
-/// Faces per unit: measuring one takes three arctangents.
-constexpr long kMeasuredFaces = 2;
 
 void requireValid(const MeshOptions& options) {
   if (!(options.weld >= 0 && options.weld <= 1))
@@ -67,15 +49,16 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   }
 
   bool advance(long budget) override {
-    return makeManifold(budget) && placeVertices(budget) && measure(budget) && findBoundary(budget);
+    return makeManifold(budget) && placeVertices(budget) && measuring_.step(budget) &&
+           findBoundary(budget);
   }
 
   double share() const override {
-    double sum = 0;
-    for (const SlicedSequence* stage : {&making_, &placing_, &measuring_, &finding_})
-      sum += stage->progress();
-    return sum / 4;
+    return (making_.progress() + placing_.progress() + measuring_.progress() +
+            finding_.progress()) /
+           4;
   }
+
   TriangleMesh result() override { return std::move(mesh_); }
 
  private:
@@ -162,30 +145,6 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
         });
   }
 
-  /// Lengths, angles and areas, with step 10 at `TriangleMesh`.
-  bool measure(long& budget) {
-    TriangleMesh& m = mesh_;
-    return measuring_.run(
-        forEach(m.vertexCount(), budget, kQuickRounds, [&](int v) { box_.extend(m.position(v)); }),
-        [&] { requireExtent(); },
-        forEach(m.faces_, budget, kMeasuredFaces, [&](int f) { measureFace(f); }),
-        [&] { requireEdgeLength(); },
-        forItems(maybeFlat_, budget, kMeasuredFaces, [&](int f) { noteFlatness(f); }),
-        [&](SlicedLoop& loop) {
-          return m.repairs_.mollification == 0 ||
-                 loop.run(m.faceCount(), budget, kMeasuredFaces, [&](int f) {
-                   setFace(f, lengthened(triangle(f), m.repairs_.mollification));
-                 });
-        },
-        [&] {
-          m.meanEdgeLength_ += m.repairs_.mollification;
-          findShortEdgeLength();
-        },
-        [&] { return fillInSlices(m.angleSum_, m.vertexCount(), 0., budget); },
-        [&] { return fillInSlices(m.longestEdge_, m.vertexCount(), 0., budget); },
-        forEach(m.faces_, budget, 8, [&](int f) { sumUp(f); }));
-  }
-
   /// The boundary loops, what comes close there without being joined, and what follows from the
   /// number of loops.
   bool findBoundary(long& budget) {
@@ -255,90 +214,6 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
     std::copy(at(from), at(from + 1), at(vertex));
   }
 
-  // --- Measures ----------------------------------------------------------------------------------
-
-  void requireExtent() {
-    const Eigen::Vector3d size = box_.diagonal();
-    mesh_.boundingDiagonal_ = std::sqrt(size[0] * size[0] + size[1] * size[1] + size[2] * size[2]);
-    if (!(mesh_.boundingDiagonal_ <= kLongestDiagonal))
-      rejectMesh("the positions are too far apart to measure distances");
-  }
-
-  void requireEdgeLength() const {
-    if (!(mesh_.meanEdgeLength_ >= kShortestMeanEdge))
-      rejectMesh("the positions are too close together to measure distances");
-  }
-
-  void findShortEdgeLength() {
-    constexpr int kSamples = 4096;
-    constexpr double kLeastShare = 1.0 / 256;
-    constexpr double kMostBuckets = 0x1p30;
-    int step = std::max(1, mesh_.halfedgeCount() / kSamples);
-    if (step % 3 == 0) ++step;  // of all sides of faces
-    std::vector<double> lengths;
-    for (std::int64_t h = 0; h < mesh_.halfedgeCount(); h += step)
-      lengths.push_back(mesh_.length(static_cast<int>(h)));
-    const auto quartile = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 4);
-    std::nth_element(lengths.begin(), quartile, lengths.end());
-    // No distance is longer than all edges together.
-    const double longest = mesh_.meanEdgeLength_ * mesh_.halfedgeCount();
-    mesh_.shortEdgeLength_ = std::max({*quartile, kLeastShare * mesh_.meanEdgeLength_,
-                                       longest * kMostBucketsPerEdge / kMostBuckets});
-  }
-
-  /// Coordinates are not centred first: centring would round them, and their differences are as
-  /// accurate as the input anyway.
-  IntrinsicTriangle triangle(int face) const {
-    const auto& [a, b, c] = mesh_.face(face).vertices;
-    return measureTriangle({mesh_.position(a), mesh_.position(b), mesh_.position(c)});
-  }
-
-  void measureFace(int face) {
-    const IntrinsicTriangle t = triangle(face);
-    setFace(face, t);
-    // The mean edge, which is not known yet, is no longer than the diagonal.
-    if (t.leastExcess() < leastExcessWanted(t.longestSide(), mesh_.boundingDiagonal_))
-      maybeFlat_.push_back(face);
-    for (const double length : t.lengths) mesh_.meanEdgeLength_ += length / mesh_.halfedgeCount();
-  }
-
-  void noteFlatness(int face) {
-    const IntrinsicTriangle t = triangle(face);
-    const double missing =
-        leastExcessWanted(t.longestSide(), mesh_.meanEdgeLength_) - t.leastExcess();
-    if (missing <= 0) return;
-    MeshRepairs& repairs = mesh_.repairs_;
-    ++repairs.mollifiedTriangles;
-    repairs.mollification = std::max(repairs.mollification, missing);
-  }
-
-  void setFace(int f, const IntrinsicTriangle& t) {
-    TriangleMesh::Face& face = mesh_.faces_[f];
-    face.lengths = t.lengths;
-    for (int i = 0; i < 3; ++i) {
-      const double product = t.lengths[i] * t.lengths[cornerBefore(i)];
-      face.cosines[i] = t.dots[i] / product;
-      face.sines[i] = t.twiceArea / product;
-      face.angles[i] = std::atan2(t.twiceArea, t.dots[i]);
-    }
-    face.area = t.twiceArea / 2;
-  }
-
-  /// Adds a face to the sums and longest edges of its vertices, to those of the mesh, and to the
-  /// needles. Faces come in order.
-  void sumUp(int f) {
-    for (int h = 3 * f; h < 3 * f + 3; ++h) {
-      mesh_.angleSum_[mesh_.tail(h)] += mesh_.cornerAngle(h);
-      for (const int v : {mesh_.tail(h), mesh_.tip(h)})
-        mesh_.longestEdge_[v] = std::max(mesh_.longestEdge_[v], mesh_.length(h));
-    }
-    mesh_.area_ += mesh_.faceArea(f);
-    const auto& lengths = mesh_.faces_[f].lengths;
-    const auto [shortest, longest] = std::minmax_element(lengths.begin(), lengths.end());
-    mesh_.longestOfAll_ = std::max(mesh_.longestOfAll_, *longest);
-    if (*shortest < kNeedle * *longest) mesh_.needles_.push_back(f);
-  }
-
   // --- Topology ----------------------------------------------------------------------------------
 
   void followLoopFrom(int vertex) {
@@ -369,7 +244,8 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   const MeshOptions options_;
   TriangleMesh mesh_;
 
-  SlicedSequence making_, placing_, measuring_, finding_;  ///< the stages
+  SlicedSequence making_, placing_, finding_;  ///< the stages
+  MeshMeasuring measuring_{mesh_};             ///< the stage before the last
   SlicedSequence selectingRound_, joining_;
   std::optional<VertexWelding> welding_;
   double weldTolerance_ = 0;
@@ -385,8 +261,6 @@ class MeshBuilding final : public SlicedWork<TriangleMesh> {
   std::optional<FanSplitting> splitting_;
   Fans fans_;
   std::optional<InputMap> mapping_;
-  Eigen::AlignedBox3d box_;
-  std::vector<int> maybeFlat_;       ///< faces that are flat unless the mean edge is short
   std::vector<char> isOnFoundLoop_;  ///< vertices
   std::vector<int> boundary_;        ///< vertices, along the loops
   std::optional<BoundaryGaps> gaps_;
