@@ -2,8 +2,8 @@
 //
 // From bytes to triangles:
 //   glb_container        GLB chunks, or the JSON itself
-//   gltf_json            parses the JSON by the table in json_rules and keeps what triangles need;
-//                        version and extensions
+//   json_filter          parses the JSON and keeps what triangles need, by the table in json_rules
+//   gltf_json            version, extensions, buffers
 //   document             the objects (by tinygltf)
 //   scene_walk           where each mesh of the scene is
 //   primitive_triangles  the triangles of each primitive, by accessor_reader and buffers
