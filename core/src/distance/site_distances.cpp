@@ -65,21 +65,18 @@ SiteDistances::SiteDistances(const TriangleMesh& mesh, Metric metric,
 // --- A change ----------------------------------------------------------------------------------
 
 void SiteDistances::change(std::span<const SiteChange> changes) {
-  for (const SiteChange& c : changes)
-    if (c.site) onMesh(mesh_, *c.site, "site", c.label);
-  givenChanges_.assign(changes.begin(), changes.end());
-  changes_.clear();
-  atPlaces_.clear();
+  given_.change(changes);
   change_ = {};
   resumed_ = outdated_ = IndexSet(sites_.labelCount());
   lowering_.beginChange();
   forgottenAt_.clear();
   known_.beginChange();
+  for (const SiteChange& c : changes) known_.noteChanged(c.label);
   sequence_ = {};
 }
 
 bool SiteDistances::step(long& budget) {
-  constexpr long kSitesPerUnit = 2;
+  const std::vector<SiteChange>& changes = given_.changes();
   return sequence_.run(
       [&] {
         return given_.prepare(budget) && sites_.prepare(budget) && edgeBounds_.prepare(budget) &&
@@ -88,14 +85,12 @@ bool SiteDistances::step(long& budget) {
       [&] {
         return sites_.count() == 0 || reaching_.collect(*spread_, sites_.labelCount(), budget);
       },
-      forItems(givenChanges_, budget, kSitesPerUnit, [&](const SiteChange& c) { takeGiven(c); }),
-      [&] { makeSet(atPlaces_); },
-      forItems(atPlaces_, budget, kSitesPerUnit, [&](int label) { takePart(label); }),
+      [&] { return given_.step(sites_, budget); },
       // 1. Bounds, and which labels start or resume because of them.
       [&] { findLeaving(); }, [&] { return forget(budget); },
       forItems(forgotten_, budget, kSitesPerUnit, [&](int label) { removeSite(label); }),
       [&] { return edgeBounds_.forget(budget); },
-      forItems(changes_, budget, kSitesPerUnit, [&](const SiteChange& c) { insertSite(c); }),
+      forItems(changes, budget, kSitesPerUnit, [&](const SiteChange& c) { insertSite(c); }),
       [&] { return edgeBounds_.step(budget); },
       [&](SlicedLoop& loop) { return findOutdated(loop, budget); }, [&] { return forget(budget); },
       forItems(change_.started, budget, kSitesPerUnit, [&](int label) { placeStarted(label); }),
@@ -106,53 +101,10 @@ bool SiteDistances::step(long& budget) {
       [&] { return known_.step(budget); });
 }
 
-/// Changes a site as it was given, and notes which labels may begin or cease to be the lowest at
-/// their place.
-void SiteDistances::takeGiven(const SiteChange& given) {
-  known_.noteChanged(given.label);
-  atPlaces_.push_back(given.label);
-  if (given_.contains(given.label)) {
-    const SurfacePoint left = given_[given.label];
-    given_.remove(given.label);
-    if (const int next = lowestAt(left); next >= 0) atPlaces_.push_back(next);
-  }
-  if (!given.site) return;
-  const SurfacePoint site = onMesh(mesh_, *given.site);
-  if (const int former = lowestAt(site); former >= 0) atPlaces_.push_back(former);
-  given_.insert(given.label, site);
-}
-
-/// The lowest label of the given sites at a place, -1 if there is none. Not inlined, as the
-/// WebAssembly module would be larger.
-[[gnu::noinline]] int SiteDistances::lowestAt(const SurfacePoint& place) const {
-  const int corner = incidenceOf(place.bary).corner;
-  int lowest = -1;
-  visitRepresentations(mesh_, place, [&](const SurfacePoint& p) {
-    for (const FaceSite& site : given_.inFace(p.face)) {
-      const bool isThere = corner >= 0 ? incidenceOf(site.bary).corner == incidenceOf(p.bary).corner
-                                       : site.bary == p.bary;
-      if (isThere && (lowest < 0 || site.label < lowest)) lowest = site.label;
-    }
-  });
-  return lowest;
-}
-
-/// Adds a change if a label, as the lowest at its place, comes to take part, or if it ceases to.
-void SiteDistances::takePart(int label) {
-  if (given_.contains(label) && lowestAt(given_[label]) == label) {
-    const SurfacePoint& site = given_[label];
-    if (!sites_.contains(label) || sites_[label].face != site.face ||
-        sites_[label].bary != site.bary)
-      changes_.push_back({label, site});
-  } else if (sites_.contains(label)) {
-    changes_.push_back({label, std::nullopt});
-  }
-}
-
 /// Finds the labels that lose their sites.
 void SiteDistances::findLeaving() {
   forgotten_.clear();
-  for (const SiteChange& c : changes_)
+  for (const SiteChange& c : given_.changes())
     if (sites_.contains(c.label)) forgotten_.push_back(c.label);
 }
 

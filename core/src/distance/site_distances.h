@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "base/sliced_loop.h"
 #include "distance/bounds_lowering.h"
 #include "distance/edge_bounds.h"
+#include "distance/given_sites.h"
 #include "distance/known_labels.h"
 #include "distance/label_change.h"
 #include "distance/label_spread.h"
@@ -25,19 +25,12 @@
 
 namespace gvd {
 
-/// A label whose site is set, moved or removed.
-struct SiteChange {
-  int label;
-  std::optional<SurfacePoint> site;  ///< none: the site is removed
-};
-
 /// Throws `Error(kInvalidArgument)` if distances that `propagate` gave are those of another mesh.
 void requireMesh(const TriangleMesh& mesh, const DistanceField& distances);
 
 /// The distances of sites that are inserted, removed and moved. The first change inserts all sites
-/// that there are to begin with. Of sites at one place only the one with the lowest label takes
-/// part: the others would tie with it everywhere, and k of them take k² times as long. A change has
-/// three stages:
+/// that there are to begin with. Of sites at one place, only one takes part (`GivenSites`). A
+/// change has three stages:
 ///
 /// 1. *Bounds* (`EdgeBounds`): the length of the shortest path along edges is an upper bound on the
 ///    distance of the nearest site at every vertex.
@@ -67,7 +60,7 @@ class SiteDistances final : public DistanceField {
   const std::vector<int>& changedLabels() const { return known_.changedLabels(); }
 
   /// The sites as they were given, also those that take no part.
-  const SiteSet& sites() const { return given_; }
+  const SiteSet& sites() const { return given_.all(); }
   const TriangleMesh& mesh() const { return mesh_; }
   /// Whether a `DynamicDiagram` changes these distances: then no other one may.
   bool isTaken() const { return isTaken_; }
@@ -84,9 +77,6 @@ class SiteDistances final : public DistanceField {
 
  private:
   class DistancesAtPoints;
-  void takeGiven(const SiteChange& given);
-  int lowestAt(const SurfacePoint& place) const;
-  void takePart(int label);
   void findLeaving();
   bool forget(long& budget);
   void forgetAt(int label, const ReachedVertex& r);
@@ -99,7 +89,8 @@ class SiteDistances final : public DistanceField {
 
   const TriangleMesh& mesh_;
   bool isTaken_ = false;
-  SiteSet given_, sites_;  ///< all sites, and those that take part
+  GivenSites given_;
+  SiteSet sites_;  ///< those that take part
   EdgeBounds edgeBounds_;
   NearestBounds bounds_;
   std::unique_ptr<LabelSpread> spread_;
@@ -109,8 +100,6 @@ class SiteDistances final : public DistanceField {
   KnownLabels known_;
 
   // The current change.
-  std::vector<SiteChange> givenChanges_, changes_;  ///< of all sites, and of those that take part
-  std::vector<int> atPlaces_;  ///< labels that may begin or cease to be the lowest at their place
   SlicedSequence sequence_, forgetting_;
   ReachedLoop reachedLoop_;
   std::vector<int> forgotten_;         ///< labels that leave, then those that start again

@@ -10,6 +10,9 @@
 
 namespace gvd {
 
+/// Sites that are looked up and changed in about one unit of the budget.
+inline constexpr long kSitesPerUnit = 2;
+
 /// A site in a face or on one of its sides.
 struct FaceSite {
   int label;
