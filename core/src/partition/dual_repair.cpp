@@ -4,98 +4,23 @@
 #include "partition/dual_repair.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
-#include "base/plane.h"
 #include "base/rejection.h"
 #include "base/sliced_loop.h"
 #include "diagram/given_diagram.h"
 #include "distance/site_distances.h"
-#include "distance/site_frame.h"
 #include "gvd/dynamic_diagram.h"
 #include "gvd/error.h"
-#include "gvd/straightest.h"
-#include "mesh/face_layout.h"
-#include "mesh/incidence.h"
 #include "partition/dual_violations.h"
+#include "partition/sharp_cones.h"
 
 namespace gvd {
 namespace {
-
-// --- Sharp cones ---------------------------------------------------------------------------------
-// A sharp cone is an inner vertex whose angles sum to less than π. Around it, two regions may meet
-// along a closed curve however near their sites are: sites added on such curves come ever nearer to
-// the vertex, and never end them. But bisectors of sites that are equally far from the vertex run
-// straight to it, so a region around it meets three such sites in three arcs.
-
-/// The sharp cone with the least angle sum in a region; -1 if there is none.
-int sharpestConeIn(const TriangleMesh& mesh, const Partition& partition,
-                   const RegionPatch& region) {
-  int sharpest = -1;
-  double least = std::numbers::pi;
-  for (int t = region.firstTriangle; t < region.firstTriangle + region.triangleCount; ++t)
-    for (const int p : partition.triangles[t]) {
-      const int v = vertexAt(mesh, partition.points[p]);
-      if (v < 0 || mesh.onBoundary(v) || mesh.angleSum(v) >= least) continue;
-      sharpest = v;
-      least = mesh.angleSum(v);
-    }
-  return sharpest;
-}
-
-/// The direction in which a path leaves a vertex, as an angle from `TriangleMesh::outgoing`.
-double angleOfPath(const TriangleMesh& mesh, int vertex, std::span<const SurfacePoint> path) {
-  double angle = 0;
-  for (const int h : mesh.fan(vertex)) {
-    if (const auto next = pointInFace(mesh, path[1], TriangleMesh::faceOf(h))) {
-      const Eigen::Vector2d way = layOut(mesh.face(next->face), h % 3, next->bary);
-      return angle + std::atan2(way.y(), way.x());
-    }
-    angle += mesh.cornerAngle(h);
-  }
-  return angle;
-}
-
-/// A site turned about a cone, by a third and by two thirds of the angle sum. Empty if the mesh
-/// ends before.
-std::vector<SurfacePoint> turnedAbout(const TriangleMesh& mesh, int cone,
-                                      const SurfacePoint& site) {
-  const SurfacePoint start = pointAtVertex(mesh, cone);
-  const auto path = shortestPath(mesh, start, site);
-  if (path.size() < 2) return {};
-  const double radius = lengthOf(mesh, path), sum = mesh.angleSum(cone);
-  const double outgoing = angleOfOutgoing(mesh, start, mesh.outgoing(cone));
-  const double angle = angleOfPath(mesh, cone, path);
-  std::vector<SurfacePoint> turned;
-  for (const int thirds : {1, 2}) {
-    const double direction = outgoing + std::fmod(angle + thirds * sum / 3, sum);
-    const auto way = walkStraight(mesh, start, radius * unitVector(direction));
-    if (way.metBoundary) return {};
-    turned.push_back(way.end);
-  }
-  return turned;
-}
-
-/// The sites that end a closed curve between two regions if one of them is a disk with a sharp
-/// cone: the other's site, turned about the cone.
-std::vector<SurfacePoint> sitesAroundCone(const TriangleMesh& mesh,
-                                          std::span<const SurfacePoint> sites,
-                                          const Partition& partition, const Violation& violation) {
-  if (violation.kind != Violation::kClosedBorder) return {};
-  for (const int side : {0, 1}) {
-    const RegionPatch& region = partition.regions[violation.labels[side]];
-    if (region.components != 1 || region.loops != 1 || region.genus != 0) continue;
-    const int cone = sharpestConeIn(mesh, partition, region);
-    if (cone >= 0) return turnedAbout(mesh, cone, sites[violation.labels[1 - side]]);
-  }
-  return {};
-}
 
 // --- Sites of one round --------------------------------------------------------------------------
 
