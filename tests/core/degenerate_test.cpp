@@ -423,6 +423,20 @@ TEST(DegenerateInDetail, AllThatMeetAtACornerOfOneElementMeetInOnePoint) {
   }
 }
 
+TEST(DegenerateInDetail, RegionOfNoWidthAlongTheBoundaryIsNoLoop) {
+  // The sites tie at a corner of a hole, and along the side of the hole that begins there. Ties go
+  // to site 0, and with them, but for its width, the side: site 1 owns what lies beside it.
+  Shape shape = shapes::grid(3, 3);
+  const auto hole = shape.triangles.begin() + 24;  // the square in the middle
+  shape.triangles.erase(hole, hole + 6);
+  const auto mesh = shape.mesh();
+  const Sites sites = {pointAtVertex(mesh, 6), pointAtVertex(mesh, 1)};
+  for (const int detail : {0, 1, 2}) {
+    const Diagram d = checks::trace(mesh, sites, Metric::kExact, detail).diagram;
+    EXPECT_EQ(d.loopLabel, (Labels{0, 1})) << "detail " << detail;
+  }
+}
+
 TEST_P(Degenerate, SidesOfACutAreSplitOnTheirOwn) {
   // A tetrahedron with a triangle more on its edge from 0 to 1, which is therefore cut. The sites
   // lie on both sides of the cut, alike, so they share the tetrahedron evenly.

@@ -75,7 +75,7 @@ class Tracing final : public SlicedWork<TracedDiagram> {
         [&] { return runPart(bisectors_, budget, complex_, pointOfNode_, graph_, out_); },
         [&] { bisectors_.reset(); },
         [&] {
-          return runPart(outlines_, budget, mesh_, distances_, pointOfNode_, labels_, graph_);
+          return runPart(outlines_, budget, complex_, distances_, pointOfNode_, labels_, graph_);
         },
         [&] { release(graph_.nextDart); }, [&] { return points_.prepare(budget); },
         [&] {

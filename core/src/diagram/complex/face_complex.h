@@ -12,6 +12,7 @@
 #include "diagram/complex/node_labels.h"
 #include "gvd/geodesic.h"
 #include "gvd/triangle_mesh.h"
+#include "mesh/slits.h"
 #include "mesh/twin_matching.h"
 
 namespace gvd {
@@ -71,6 +72,13 @@ class FaceComplex {
     if (!hasFacesOnly() && twins_[h] < 0) nodes_.appendBetween(elements_.side(mesh_, h), inner);
     return inner;
   }
+
+  /// Appends the nodes between the ends of a halfedge of the mesh boundary, in order.
+  void appendNodesOnBoundary(int h, std::vector<NodeLabels::InnerNode>& nodes) const {
+    const int edge = mayHaveDoubleEdges(mesh_) ? h : -1;
+    if (!hasFacesOnly()) nodes_.appendBetween({mesh_.tail(h), mesh_.tip(h), edge}, nodes);
+  }
+
   /// The label that owns all of an element: the owner of all its nodes. `Diagram::kUnreachable` if
   /// they have none, `Diagram::kMixed` if they have several.
   int soleOwner(int element) const { return soleOwner_[element]; }

@@ -37,9 +37,10 @@ void chain(std::span<BoundaryPoint> points) {
 
 }  // namespace
 
-RegionOutlines::RegionOutlines(const TriangleMesh& mesh, const DistanceField& distances,
+RegionOutlines::RegionOutlines(const FaceComplex& complex, const DistanceField& distances,
                                IndexMap& pointOfNode, const IndexSet* labels, BisectorGraph& graph)
-    : mesh_(mesh),
+    : mesh_(complex.mesh()),
+      complex_(complex),
       distances_(distances),
       pointOfNode_(pointOfNode),
       labels_(labels),
@@ -99,19 +100,34 @@ bool RegionOutlines::isOn(int boundaryPoint, int halfedge) const {
          graph_.boundary[boundaryPoint].halfedge == halfedge;
 }
 
-/// Follows the mesh boundary forward from a boundary point where a region reaches it to the next
-/// one, where the region leaves it. Returns the dart that leaves.
-template <class Visit>
-int RegionOutlines::followBoundary(int start, int label, Visit visit) {
+/// Adds to the way the merged points at nodes of a halfedge, with shares of it above `after` and up
+/// to `upTo`: where a region has no width there, its outline comes back through them.
+void RegionOutlines::addMerged(int halfedge, double after, double upTo) {
+  inner_.clear();
+  complex_.appendNodesOnBoundary(halfedge, inner_);
+  for (const auto& [node, share] : inner_) {
+    const int point = pointOfNode_[node];
+    if (share > after && share <= upTo && point >= 0 &&
+        graph_.merging.isMerged(graph_.merging.root(point)))
+      way_.push_back({point, TriangleMesh::faceOf(halfedge)});
+  }
+}
+
+/// Makes the way along the mesh boundary, forward from a boundary point where a region reaches it
+/// to the next one, where the region leaves it. Returns the dart that leaves.
+int RegionOutlines::followBoundary(int start, int label) {
   const auto& boundary = graph_.boundary;
   int halfedge = boundary[start].halfedge, next = start + 1;
-  visit(boundary[start].point, TriangleMesh::faceOf(halfedge), true);
+  double after = boundary[start].start;
+  way_.assign(1, {boundary[start].point, TriangleMesh::faceOf(halfedge)});
   while (!isOn(next, halfedge)) {
+    addMerged(halfedge, std::exchange(after, 0.0), 1);
     const int vertex = mesh_.tip(halfedge);
     halfedge = mesh_.outgoing(vertex);
-    visit(vertexPoint(vertex), TriangleMesh::faceOf(halfedge), true);
+    way_.push_back({vertexPoint(vertex), TriangleMesh::faceOf(halfedge)});
     next = firstFrom(halfedge);
   }
+  addMerged(halfedge, after, boundary[next].start);
   const int dart = graph_.dartAt(boundary[next].point, label);
   if (dart < 0) throw std::logic_error("a region's outline ends at the boundary of the mesh");
   return dart;
@@ -140,7 +156,12 @@ void RegionOutlines::walkRing(int start, Visit visit) {
     const int next = graph_.nextDart[dart];
     if (next == BisectorGraph::kNoDart)
       throw std::logic_error("a region's outline ends inside the mesh");
-    dart = next >= 0 ? next : followBoundary(kFirstBoundaryPoint - next, label, visit);
+    if (next >= 0) {
+      dart = next;
+    } else {
+      dart = followBoundary(kFirstBoundaryPoint - next, label);
+      for (const auto& [point, face] : way_) visit(point, face, true);
+    }
   } while (dart != start);
 }
 
@@ -156,11 +177,14 @@ long RegionOutlines::traceBoundary(int start) {
     if (isOn(firstFrom(h), h)) return length;
     h = mesh_.outgoing(mesh_.tip(h));
   } while (h != start);
+  way_.clear();
+  do {
+    way_.push_back({vertexPoint(mesh_.tail(h)), TriangleMesh::faceOf(h)});
+    addMerged(h, 0, 1);
+    h = mesh_.outgoing(mesh_.tip(h));
+  } while (h != start);
   return length + addRing(owner, [&](auto visit) {
-           do {
-             visit(vertexPoint(mesh_.tail(h)), TriangleMesh::faceOf(h), true);
-             h = mesh_.outgoing(mesh_.tip(h));
-           } while (h != start);
+           for (const auto& [point, face] : way_) visit(point, face, true);
          });
 }
 

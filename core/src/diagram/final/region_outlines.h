@@ -7,6 +7,7 @@
 #include "base/index_map.h"
 #include "base/index_set.h"
 #include "base/sliced_loop.h"
+#include "diagram/complex/face_complex.h"
 #include "diagram/final/outline_steps.h"
 #include "diagram/graph/bisector_graph.h"
 #include "gvd/geodesic.h"
@@ -21,7 +22,7 @@ class RegionOutlines {
  public:
   /// Traces some labels, or all if `labels` is null. Adds points to the graph where outlines pass
   /// vertices on the mesh boundary.
-  RegionOutlines(const TriangleMesh& mesh, const DistanceField& distances, IndexMap& pointOfNode,
+  RegionOutlines(const FaceComplex& complex, const DistanceField& distances, IndexMap& pointOfNode,
                  const IndexSet* labels, BisectorGraph& graph);
   /// True when all outlines are traced. A step traces whole rings, whatever their length.
   bool step(long& budget);
@@ -46,14 +47,19 @@ class RegionOutlines {
     int first, count;  ///< in points_
   };
 
+  /// A point of an outline, and the face that the step from there runs along.
+  struct WayPoint {
+    int point, face;
+  };
+
   long traceRing(int dart);
   template <class Visit>
   void walkRing(int start, Visit visit);
   void orderBoundary();
   int firstFrom(int halfedge) const;
   bool isOn(int boundaryPoint, int halfedge) const;
-  template <class Visit>
-  int followBoundary(int start, int label, Visit visit);
+  void addMerged(int halfedge, double after, double upTo);
+  int followBoundary(int start, int label);
   long traceBoundary(int start);
   template <class Walk>
   long addRing(int label, Walk walk);
@@ -63,6 +69,7 @@ class RegionOutlines {
   int vertexPoint(int vertex);
 
   const TriangleMesh& mesh_;
+  const FaceComplex& complex_;
   const DistanceField& distances_;
   IndexMap& pointOfNode_;
   const IndexSet* const labels_;
@@ -74,6 +81,8 @@ class RegionOutlines {
   OutlineSteps steps_;  ///< of rings with merged points
   std::vector<Outline> outlines_;
   std::vector<int> points_;
+  std::vector<WayPoint> way_;                 ///< along the mesh boundary, in the current ring
+  std::vector<NodeLabels::InnerNode> inner_;  ///< working memory
 };
 
 }  // namespace gvd
