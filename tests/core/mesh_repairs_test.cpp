@@ -498,7 +498,7 @@ TEST(MeshOptions, AreCheckedForTheirRanges) {
   EXPECT_EQ(error({.weld = -0.5}), "weld is -0.5, not a number from 0 to 1");
   EXPECT_EQ(error({.weld = 1.5}), "weld is 1.5, not a number from 0 to 1");
   EXPECT_EQ(error({.weld = kNan}), "weld is NaN, not a number from 0 to 1");
-  EXPECT_EQ(error({.minComponent = -1}), "minComponent is -1, not a number from 0");
+  EXPECT_EQ(error({.minComponent = -1}), "minComponent is -1, not a number of 0 or more");
 }
 
 }  // namespace

@@ -156,7 +156,8 @@ std::vector<SurfacePoint> repairingSites(const TriangleMesh& mesh,
 // --- Rounds --------------------------------------------------------------------------------------
 
 void requireMaxAdded(int count) {
-  if (count < 0) rejectArgument("maxAdded is " + std::to_string(count) + ", not a number from 0");
+  if (count < 0)
+    rejectArgument("maxAdded is " + std::to_string(count) + ", not a number of 0 or more");
 }
 
 namespace {

@@ -31,7 +31,7 @@ void requireValid(const MeshOptions& options) {
     rejectArgument("weld is " + numberText(options.weld) + ", not a number from 0 to 1");
   if (options.minComponent < 0)
     rejectArgument("minComponent is " + std::to_string(options.minComponent) +
-                   ", not a number from 0");
+                   ", not a number of 0 or more");
 }
 
 }  // namespace
