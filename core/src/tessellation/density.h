@@ -32,9 +32,9 @@ inline void requireDensity(const TriangleMesh& mesh, std::span<const double> den
   for (size_t v = 0; v < vertices; ++v) {
     const bool isFinite = density[v] >= 0 && std::isfinite(density[v]);
     if (isFinite && density[v] <= most) continue;
-    rejectArgument(
-        "the density at vertex " + std::to_string(v) + " is " + numberText(density[v]) +
-        (isFinite ? ", more than can be integrated on this mesh" : ", not a finite number from 0"));
+    rejectArgument("the density at vertex " + std::to_string(v) + " is " + numberText(density[v]) +
+                   (isFinite ? ", more than can be integrated on this mesh"
+                             : ", not a finite number of 0 or more"));
   }
 }
 
