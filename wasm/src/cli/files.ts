@@ -165,24 +165,28 @@ async function readFileAt(path: string): Promise<Uint8Array> {
 
 /** Where a result goes; opened before the work, so that a wrong path is known at once. */
 export class Output {
+  /** As it was given, for errors. */
+  readonly #name: string;
+  /** Where that leads by its links. */
   readonly #path: string;
   readonly #isQuiet: boolean;
 
-  private constructor(path: string, isQuiet: boolean) {
+  private constructor(name: string, path: string, isQuiet: boolean) {
+    this.#name = name;
     this.#path = path;
     this.#isQuiet = isQuiet;
   }
 
-  static async open({ output: path, quiet }: Pick<Values, 'output' | 'quiet'>): Promise<Output> {
-    if (path === standard) return new Output(path, quiet);
+  static async open({ output: name, quiet }: Pick<Values, 'output' | 'quiet'>): Promise<Output> {
+    if (name === standard) return new Output(name, name, quiet);
     try {
-      const target = await targetOf(path);
-      const kind = await kindOf(target);
-      if (kind === 'folder' || path.endsWith('/')) throw new FileError('it is a folder');
-      await access(kind === 'none' ? dirname(target) : target, constants.W_OK);
-      return new Output(target, quiet);
+      const path = await targetOf(name);
+      const kind = await kindOf(path);
+      if (kind === 'folder' || name.endsWith('/')) throw new FileError('it is a folder');
+      await access(kind === 'none' ? dirname(path) : path, constants.W_OK);
+      return new Output(name, path, quiet);
     } catch (error) {
-      throw new FileError(`${path} cannot be written: ${reason(error)}`);
+      throw new FileError(`${name} cannot be written: ${reason(error)}`);
     }
   }
 
@@ -194,7 +198,7 @@ export class Output {
   /** Refuses to replace what a model was read from; known when the model is, before the work. */
   requireNoModel(): void {
     if (modelPaths.has(this.#path))
-      throw new FileError(`${this.#path} cannot be written: the model is read from it`);
+      throw new FileError(`${this.#name} cannot be written: the model is read from it`);
   }
 
   /**
@@ -210,7 +214,7 @@ export class Output {
         (kind === 'file' || kind === 'none') && (await isWritable(dirname(this.#path)));
       await (isReplaced ? replaceFile : writeFile)(this.#path, content);
     } catch (error) {
-      throw new FileError(`${this.#path} cannot be written: ${reason(error)}`);
+      throw new FileError(`${this.#name} cannot be written: ${reason(error)}`);
     }
   }
 }
