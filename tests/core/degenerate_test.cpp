@@ -425,7 +425,7 @@ TEST(DegenerateInDetail, AllThatMeetAtACornerOfOneElementMeetInOnePoint) {
 
 TEST(DegenerateInDetail, RegionOfNoWidthAlongTheBoundaryIsNoLoop) {
   // The sites tie at a corner of a hole, and along the side of the hole that begins there. Ties go
-  // to site 0, and with them, but for its width, the side: site 1 owns what lies beside it.
+  // to site 0, so it owns that side, but nothing beside it: there, its region has no width.
   Shape shape = shapes::grid(3, 3);
   const auto hole = shape.triangles.begin() + 24;  // the square in the middle
   shape.triangles.erase(hole, hole + 6);

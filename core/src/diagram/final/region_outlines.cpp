@@ -100,8 +100,9 @@ bool RegionOutlines::isOn(int boundaryPoint, int halfedge) const {
          graph_.boundary[boundaryPoint].halfedge == halfedge;
 }
 
-/// Adds to the way the merged points at nodes of a halfedge, with shares of it above `after` and up
-/// to `upTo`: where a region has no width there, its outline comes back through them.
+/// Adds merged points on a halfedge to the way along the mesh boundary: those at nodes whose share
+/// of the halfedge's length is above `after` and at most `upTo`. Where a region has no width, its
+/// outline returns through the same points, and the two ways cancel.
 void RegionOutlines::addMerged(int halfedge, double after, double upTo) {
   inner_.clear();
   complex_.appendNodesOnBoundary(halfedge, inner_);
